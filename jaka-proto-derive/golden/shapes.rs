@@ -1242,7 +1242,7 @@ pub mod shapes {
         }
     }
 }
-/// Any request of the spec, told apart by its `cmdName`.
+/// Any request of the spec, by its `cmdName`.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Request {

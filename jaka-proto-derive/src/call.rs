@@ -51,14 +51,14 @@ pub(crate) struct Call {
     request: Made,
     /// Name of the method that sends it.
     method: String,
-    /// The argument of the method, if that is not the request; empty where there is none.
+    /// The argument of the method, if it is not the request; empty without one.
     value: Option<String>,
     /// Binding for the reply where that carries data.
     reply: &'static str,
 }
 
 impl Call {
-    /// The call that sends a message; none where a value of the message has no form in Rust that the spec tells.
+    /// The call that sends a message; `None` if the spec tells no form in Rust for a value of the message.
     pub(crate) fn new(spec: &Spec, topic: &Topic, command: &Command, message: &str) -> Option<Self> {
         let tokens: Vec<_> = message.parse::<TokenStream>().ok()?.into_iter().collect();
         let members = members(&tokens)?;
@@ -136,7 +136,7 @@ impl Made {
         format!("{}({}){}", self.function, self.arguments.join(", "), self.setters.concat())
     }
 
-    /// Statement that names it `request`, in several lines where one is too long.
+    /// Statement that names it `request`, in several lines if one is too long.
     fn binding(&self) -> String {
         let line = format!("let request = {};", self.line());
         if line.len() <= LINE {
@@ -151,7 +151,7 @@ impl Made {
     }
 }
 
-/// A field, with the tokens of its value where the message has it.
+/// A field, with the tokens of its value if the message has it.
 type WithValue<'t> = (&'t Field, Option<&'t [TokenTree]>);
 
 fn with_values<'t>(fields: &'t [Field], get: impl Fn(&str) -> Option<&'t [TokenTree]>) -> Vec<WithValue<'t>> {
@@ -188,7 +188,7 @@ impl Code<'_> {
         required.map(|(field, value)| self.argument(field, (*value)?)).collect()
     }
 
-    /// The argument of a constructor, a setter or a method that stands for a field.
+    /// The argument of a constructor, a setter or a method for a field.
     fn argument(&mut self, field: &Field, value: &[TokenTree]) -> Option<String> {
         match &field.ty {
             // The argument converts from an array.

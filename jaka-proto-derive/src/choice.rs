@@ -1,4 +1,4 @@
-//! Choices: enums whose variants are told apart by a tag.
+//! Choices: enums with a tag that selects the variant.
 
 use jaka_spec::{Choice, Variant};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -81,7 +81,7 @@ pub(crate) fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: 
     }
 }
 
-/// A choice whose tag and fields stand in a JSON object: a request.
+/// A choice with tag and fields in a JSON object: a request.
 pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, choice: &Choice) -> TokenStream {
     let variants = declare_variants(scope, choice);
     let all_copy = choice.variants.iter().all(|variant| scope.spec.all_copy(&variant.fields));
@@ -128,7 +128,7 @@ fn tag(variant: &Variant) -> Literal {
     Literal::i64_unsuffixed(variant.wire)
 }
 
-/// The variants of a choice as they stand in an enum.
+/// The variants of a choice for an enum.
 fn declare_variants(scope: Scope<'_>, choice: &Choice) -> TokenStream {
     let variants = choice.variants.iter().map(|variant| {
         let (docs, name) = (scope.docs.attributes(&variant.doc), ident(&variant.name));

@@ -82,7 +82,7 @@ pub(crate) struct Method {
 }
 
 impl Method {
-    /// The method of a command whose messages stand in `module`, a path that ends in `::` or is empty.
+    /// The method of a command with messages in `module`, a path that ends in `::` or is empty.
     pub(crate) fn new(scope: Scope<'_>, module: &TokenStream, command: &Command) -> Self {
         let request = ident(&command.request_type());
         let request = quote!(#module #request);

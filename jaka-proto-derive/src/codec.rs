@@ -229,7 +229,7 @@ pub(crate) fn read_array(fields: &[Field], exact: bool, constructor: &TokenStrea
     }
 }
 
-/// Statements and an expression that read an array into the fields that `slot` names, whose memory is used again.
+/// Statements and an expression that read an array into the fields that `slot` names, and reuse their memory.
 pub(crate) fn read_array_in_place(fields: &[Field], exact: bool, slot: impl Fn(&Ident) -> TokenStream) -> TokenStream {
     let values = fields.iter().map(|field| {
         let (text, slot) = (&field.name, slot(&ident(&field.name)));

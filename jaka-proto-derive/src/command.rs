@@ -7,7 +7,7 @@ use quote::quote;
 use crate::scope::{Scope, ident};
 use crate::{choice, construct, docs, forms, motion, typedef, validate};
 
-/// The request, its reply where that carries data, and what ties them together.
+/// The request, its reply if it carries data, and their connection.
 pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let name = ident(&command.request_type());
     let alias = (command.wire != command.request_type()).then(|| docs::alias(&command.wire, &command.name));

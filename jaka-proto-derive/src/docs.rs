@@ -9,12 +9,12 @@ use jaka_spec::{Command, Effect, Field, Module, Reply, Spec, Topic, TypeKind, ev
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The place of docs: what they link the names of commands to.
+/// The place of docs, and the targets of their links for names of commands.
 #[derive(Clone, Copy)]
 pub(crate) struct Docs<'s> {
     spec: &'s Spec,
     place: Place<'s>,
-    /// The command whose docs they are. There, its own name is not a link.
+    /// The command of the docs. There, its own name is not a link.
     command: Option<&'s Command>,
 }
 
@@ -94,7 +94,7 @@ impl<'s> Docs<'s> {
         quote!(#docs #alias)
     }
 
-    /// Docs of a setter: a summary of its field, whose docs say more.
+    /// Docs of a setter: a summary of its field, which has the full docs.
     pub(crate) fn setter(self, field: &Field) -> TokenStream {
         let docs = own(&self.summary(field, ""));
         let alias = alias(&field.wire, &field.name);
@@ -142,8 +142,7 @@ impl<'s> Docs<'s> {
         linked_prose(text, |name| self.target(name))
     }
 
-    /// The first sentence, unit and range, what follows in the paragraph, and the spelling on the wire, which is not a
-    /// command's even where a command has it.
+    /// The first sentence, unit and range, the rest of the paragraph, and the spelling on the wire, without commands.
     fn summary(self, field: &Field, rest: &str) -> String {
         let measure = self.measure(field).map(|measure| format!(" {measure}")).unwrap_or_default();
         let text = self.prose(&format!("{}{measure}{rest}", first_sentence(&field.doc).0));
@@ -172,7 +171,7 @@ impl<'s> Docs<'s> {
         }
     }
 
-    /// Link target for the name of a command; `None` where the name is not a link.
+    /// Link target for the name of a command; `None` for a name without a link.
     fn target(self, name: &str) -> Option<String> {
         let command = self.spec.command_called(name)?;
         if self.command.is_some_and(|own| own.wire == command.wire) {
@@ -218,7 +217,7 @@ impl<'s> Docs<'s> {
         }
     }
 
-    /// The method of a pack's command, where its trait stands in the same module.
+    /// The method of a pack's command, if its trait is in the same module.
     fn trait_method(self, command: &Command) -> Option<String> {
         let Place::Pack(module) = self.place else { return None };
         Some(format!("{}::{}", module.trait_name(), module.method(command)))
@@ -262,7 +261,7 @@ pub(crate) fn alias(wire: &str, name: &str) -> TokenStream {
     if wire == name || wire.is_empty() || !is_alias { TokenStream::new() } else { quote!(#[doc(alias = #wire)]) }
 }
 
-/// Aliases under which rustdoc's search finds what belongs to a command by the names of the vendor's SDK.
+/// Aliases of a command for rustdoc's search: names in the vendor's SDK.
 pub(crate) fn sdk_aliases(command: &Command) -> TokenStream {
     let aliases = &command.aliases;
     quote!(#(#[doc(alias = #aliases)])*)
@@ -310,8 +309,8 @@ fn examples(command: &Command, code: impl Fn(&str) -> Option<String>) -> String 
     if examples.is_empty() { examples } else { format!("\n\n# Examples{examples}") }
 }
 
-/// A message of an example as a block. A message that is no object stands after an arrow, so that no message of a pack
-/// ends the block.
+/// A message of an example as a block. A message that is no object follows an arrow, so that no message of a pack ends
+/// the block.
 fn message(title: &str, arrow: &str, message: &str) -> String {
     let message = shown(message);
     if message.starts_with('{') {
@@ -320,7 +319,7 @@ fn message(title: &str, arrow: &str, message: &str) -> String {
     format!("\n\n{title}:\n\n```text\n{arrow} {message}\n```")
 }
 
-/// Sentence about the controller's refusal where a requirement is not met; empty for a command without requirements.
+/// Sentence about the controller's refusal of a requirement that is not met; empty for a command without requirements.
 fn refusal(command: &Command) -> String {
     match &command.refusal {
         _ if command.requires.is_empty() => String::new(),

@@ -101,7 +101,7 @@ pub(crate) fn text(place: Docs<'_>, name: &Ident, docs: &TokenStream, values: &[
     }
 }
 
-/// The variants, whose docs name the value on the wire.
+/// The variants; their docs name the value on the wire.
 fn variants<T: std::fmt::Debug>(place: Docs<'_>, values: &[EnumValue<T>]) -> TokenStream {
     let variants = values.iter().map(|value| {
         let newer = if value.advisory { " Taken by newer firmware only." } else { "" };

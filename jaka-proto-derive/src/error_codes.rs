@@ -8,7 +8,7 @@ use quote::quote;
 use crate::docs::{Docs, Place};
 use crate::scope::ident;
 
-/// Constants of `ErrorCode`, and what each means.
+/// Constants of `ErrorCode`, with their meanings.
 pub(crate) fn render(spec: &Spec) -> TokenStream {
     let codes: Vec<_> = spec.errors().collect();
     let consts = consts(Docs::new(spec, Place::Messages(None)), &codes, &quote!(Self));
@@ -28,7 +28,7 @@ pub(crate) fn render(spec: &Spec) -> TokenStream {
     }
 }
 
-/// Constants for the codes that a pack adds, and a function that knows them and all others.
+/// Constants for the codes that a pack adds, and a function for these and all others.
 pub(crate) fn in_pack(docs: Docs<'_>, codes: &[ErrorCode]) -> Option<TokenStream> {
     let codes: Vec<_> = codes.iter().collect();
     let consts = consts(docs, &codes, &quote!(proto::ErrorCode));

@@ -94,7 +94,7 @@ fn remedy(texts: &EventTexts) -> Option<&str> {
     texts.remedy.as_deref()
 }
 
-/// Cause or remedy of an event: its own, or that of its family.
+/// Cause or remedy of an event: its own, or its family's.
 #[derive(PartialEq)]
 enum Note<'s> {
     OfCode(&'s str),
@@ -119,7 +119,7 @@ fn option(value: Option<TokenStream>) -> TokenStream {
     value.map_or_else(|| quote!(None), |value| quote!(Some(#value)))
 }
 
-/// First and last code of a range, and what is said of it.
+/// First and last code of a range, and its text.
 type Row<T> = (Literal, Literal, T);
 
 /// Rows for the ranges of codes of the events, in the order of the codes, each with the value that `say` gives for its

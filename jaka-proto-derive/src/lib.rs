@@ -36,7 +36,7 @@ mod golden;
 
 /// The messages of the built-in spec: a module for each topic, and an enum over all requests.
 ///
-/// For use in `jaka-proto`, whose paths the output names.
+/// For use in `jaka-proto`: the output names its paths.
 #[proc_macro]
 pub fn messages(input: TokenStream) -> TokenStream {
     expand(input, topic::messages)
@@ -45,7 +45,7 @@ pub fn messages(input: TokenStream) -> TokenStream {
 /// An `impl Client` for each topic of the built-in spec, with a method for each command, and the topic's module, in
 /// which requests link to their methods.
 ///
-/// For use in `jaka-sync`, where the type `Client` has a method `call`, and whose root has these modules.
+/// For use in `jaka-sync`: its type `Client` has a method `call`, and its root has these modules.
 #[proc_macro]
 pub fn client_methods(input: TokenStream) -> TokenStream {
     expand(input, |spec| {

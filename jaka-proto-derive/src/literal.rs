@@ -1,4 +1,4 @@
-//! Twins of replies and of what is in them, which can be written as literals: for the simulator and for tests.
+//! Twins of replies and of their parts, which can be written as literals: for the simulator and for tests.
 
 use jaka_spec::{Spec, Topic, TypeDef, TypeKind};
 use proc_macro2::{Ident, TokenStream};
@@ -7,7 +7,7 @@ use quote::quote;
 use crate::construct;
 use crate::scope::{ModulePaths, Scope, ident, names};
 
-/// The module with the twins of a topic; nothing where there are none. `elsewhere` has the modules of the other topics.
+/// The module with the twins of a topic; nothing without any. `elsewhere` has the modules of the other topics.
 pub(crate) fn module(spec: &Spec, topic: &Topic, elsewhere: TokenStream) -> Option<TokenStream> {
     let paths = ModulePaths::inner(elsewhere);
     let scope = Scope::of_module(spec, topic, &paths);

@@ -1,4 +1,4 @@
-//! The module of a pack: what a user's TOML file adds to the built-in spec, in the user's crate.
+//! The module of a pack: the additions of a user's TOML file to the built-in spec, in the user's crate.
 
 use std::path::{Path, PathBuf};
 
@@ -56,7 +56,7 @@ pub(crate) fn expand(input: &PackInput) -> TokenStream {
     }
 }
 
-/// The module, on the modules of the packs on which it stands.
+/// The module, on top of the modules of other packs.
 fn rendered(built_in: &Spec, input: &PackInput) -> Result<Module, TokenStream> {
     let mut spec = built_in.clone();
     for path in &input.lower {

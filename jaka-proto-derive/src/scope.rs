@@ -92,7 +92,7 @@ impl<'s> Scope<'s> {
         if field.optional { quote!(Option<#ty>) } else { ty }
     }
 
-    /// The type of a field's value, where it is there.
+    /// The type of a field's value, without `Option`.
     pub(crate) fn required_type(self, field: &Field) -> TokenStream {
         let ty = self.rust_type(&field.ty);
         if !field.or_raw {
@@ -102,7 +102,7 @@ impl<'s> Scope<'s> {
         quote!(#wire::Typed<#ty>)
     }
 
-    /// `name: type` for each field, with docs; `vis` stands before each.
+    /// `name: type` for each field, with docs; `vis` precedes each.
     pub(crate) fn declare(self, fields: &[Field], vis: &TokenStream) -> TokenStream {
         let fields = fields.iter().map(|field| {
             let docs = self.docs.field(fields, field);

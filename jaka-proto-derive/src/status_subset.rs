@@ -31,7 +31,7 @@ impl Parse for SubsetInput {
     }
 }
 
-/// The struct and how it is read, or an error at the first field that the status packet does not have.
+/// The struct and its reader, or an error at the first field that the status packet does not have.
 pub(crate) fn expand(input: &SubsetInput) -> syn::Result<TokenStream> {
     let spec = jaka_spec::builtin().map_err(|errors| syn::Error::new(input.name.span(), errors))?;
     let fields = fields(&spec, input)?;

@@ -62,7 +62,7 @@ pub(crate) fn requests(spec: &Spec) -> TokenStream {
         wires.push(&command.wire);
     }
     quote! {
-        /// Any request of the spec, told apart by its `cmdName`.
+        /// Any request of the spec, by its `cmdName`.
         #[derive(Debug, Clone, PartialEq)]
         #[non_exhaustive]
         pub enum Request {

@@ -49,7 +49,7 @@ fn derives(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
     quote!(#[derive(Debug, Clone, #copy PartialEq, #default)])
 }
 
-/// A request or reply: a struct whose fields stand in a JSON object, and its codec.
+/// A request or reply: a struct with fields in a JSON object, and its codec.
 pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field]) -> TokenStream {
     let read = read_fields(fields, Manner::Strict);
     object_with(scope, name, docs, fields, &quote!(#[inline] #read), &quote!(proto::__object_impls!(#name);))

@@ -35,7 +35,7 @@ fn row(item: &Item<'_, '_>) -> Advice {
     advice
 }
 
-/// Mistake in the advised limits of these fields, which stand next to each other; `types` are all types.
+/// Mistake in the advised limits of these neighbouring fields; `types` are all types.
 pub(crate) fn problem(fields: &[Field], types: &[TypeDef]) -> Option<String> {
     fields.iter().find_map(|field| {
         let problem = field.advised.iter().enumerate().find_map(|(index, advice)| {

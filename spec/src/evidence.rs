@@ -9,19 +9,19 @@ use crate::item::Item;
 pub struct Evidence {
     /// Kind of the source.
     pub mark: Mark,
-    /// Name of the source, or what it shows.
+    /// Name of the source, or its content.
     pub detail: Option<String>,
 }
 
-/// Kinds of sources. The order is that of the reference's scale, not of trust: a capture shows what one controller
-/// does.
+/// Kinds of sources, in the order of the reference's scale, which is not an order of trust: a capture shows one
+/// controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mark {
     /// The TCP document 2.0.4, in a text of it that is not the command's own section.
     Document,
     /// Another text of the vendor: a page, a manual, a header, the table of events, release notes.
     Page,
-    /// Bytes of the vendor's own client libraries: what they send, and the keys that they read.
+    /// Bytes of the vendor's own client libraries: their requests, and the keys that they read.
     Bytes,
     /// Capture or transcript of a real controller.
     Capture,
@@ -68,7 +68,7 @@ pub fn evidence_sentence(evidence: &[Evidence]) -> Option<String> {
     (!sources.is_empty()).then(|| format!("Evidence: {}.", sources.join("; ")))
 }
 
-/// Reads `evidence`, a list of marks, each with a detail after a colon where it has one.
+/// Reads `evidence`, a list of marks, each with an optional detail after a colon.
 pub(crate) fn read(item: &Item<'_, '_>) -> Vec<Evidence> {
     let texts = item.texts("evidence");
     let read = texts.into_iter().filter_map(|text| {

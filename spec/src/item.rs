@@ -10,7 +10,7 @@ use crate::Source;
 use crate::report::{At, Report};
 use crate::words::nearest;
 
-/// A value and where it stands.
+/// A value and its place.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed<'s, T> {
     /// Position of the value in the file.
@@ -31,7 +31,7 @@ pub(crate) struct Item<'a, 's> {
     asked: RefCell<BTreeSet<&'static str>>,
 }
 
-/// Names that are taken, with the place of the first; none for those of the spec that a pack adds to.
+/// Used names, with the place of the first; `None` for names of the spec that a pack extends.
 #[derive(Debug)]
 pub(crate) struct Unique<'s, T>(BTreeMap<T, Option<At<'s>>>);
 
@@ -70,12 +70,12 @@ impl<'a, 's> Item<'a, 's> {
         value.map(|value| Placed { at, value })
     }
 
-    /// True where the table has the key, whatever its value.
+    /// True if the table has the key, with any value.
     pub(crate) fn has(&self, key: &'static str) -> bool {
         self.get(key).is_some()
     }
 
-    /// True where the value under `key` is a string; the key is not asked for yet.
+    /// True if the value under `key` is a string; this does not mark the key as read.
     pub(crate) fn is_text(&self, key: &'static str) -> bool {
         self.table.get(key).is_some_and(|value| value.get_ref().is_str())
     }
@@ -177,7 +177,7 @@ impl<'a, 's> Item<'a, 's> {
         list
     }
 
-    /// Reports each key that was never asked for.
+    /// Reports each key that was never read.
     pub(crate) fn finish(&self) {
         let asked = self.asked.borrow();
         for key in self.table.keys().filter(|key| !asked.contains(key.get_ref().as_ref())) {

@@ -1,4 +1,4 @@
-//! Checks of what a command means to the arm against its fields.
+//! Checks of the meaning of a command for the arm against its fields.
 
 use std::collections::BTreeMap;
 

@@ -22,11 +22,11 @@ pub struct TypeId(pub(crate) usize);
 pub struct Topic {
     /// Module name, which is the file's stem.
     pub name: String,
-    /// True for a pack's: the module stands in the crate of the pack's user.
+    /// True for a pack's topic: its module is in the crate of the pack's user.
     pub is_pack: bool,
-    /// One line that says what the topic is about.
+    /// Subject of the topic, in one line.
     pub title: String,
-    /// Title in Chinese: the document's title where the topic is a chapter of the document.
+    /// Title in Chinese: the document's title for a chapter of the document.
     pub title_zh: Option<String>,
     /// The text below the title.
     pub doc: String,
@@ -78,15 +78,15 @@ pub struct Command {
     pub requires: Vec<Requirement>,
     /// Source of the requirements.
     pub requires_source: Option<String>,
-    /// Longest time for a reply, where the client's default does not fit.
+    /// Longest time for a reply, if the client's default does not fit.
     pub deadline: Option<Duration>,
-    /// False where the controller may go away instead of replying.
+    /// False if the controller may go away instead of replying.
     pub reply_certain: bool,
-    /// True where the connection is of no use after the reply.
+    /// True if the connection is useless after the reply.
     pub ends_session: bool,
-    /// The evidence, where the vendor's text for this command is lost.
+    /// The evidence, if the vendor's text for this command is lost.
     pub reconstructed: Option<String>,
-    /// Replacement for the command, where the vendor has withdrawn it.
+    /// Replacement for the command, if the vendor has withdrawn it.
     pub deprecated: Option<String>,
     /// First and last firmware that has the command.
     pub versions: Versions,
@@ -101,7 +101,7 @@ pub struct Command {
     pub reply: Reply,
     /// The reply field (Rust name) that a bare Python tuple in place of a JSON reply stands for.
     pub bare_reply: Option<String>,
-    /// The controller's answer when a requirement is not met, where it is not the usual refusal.
+    /// The controller's answer to a requirement that is not met, if it is not the usual refusal.
     pub refusal: Option<Refusal>,
     /// Known causes of refusals, each with its source, other than the states that it requires.
     pub refused_because: Vec<String>,
@@ -149,7 +149,7 @@ impl Command {
 }
 
 impl Command {
-    /// Role of the request, which may be that of its variant.
+    /// Role of the request; a variant may have its own.
     pub fn role_of_variant(&self, tag: Option<i64>) -> Option<Role> {
         let variant = self.variants().iter().find(|variant| Some(variant.wire) == tag);
         variant.and_then(|variant| variant.role).or(self.role)
@@ -260,10 +260,10 @@ impl Reply {
     }
 }
 
-/// Variants told apart by an integer tag.
+/// Variants with an integer tag.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice {
-    /// Key of the tag on the wire; empty where the tag is the first element of an array.
+    /// Key of the tag on the wire; empty if the tag is the first element of an array.
     pub tag: String,
     /// The variants, in the order of the file.
     pub variants: Vec<Variant>,
@@ -309,11 +309,11 @@ pub struct Field {
     pub advised: Vec<Advice>,
     /// True for text that may hold printable ASCII only.
     pub ascii: bool,
-    /// True where the key may be left out.
+    /// True if the key may be absent.
     pub optional: bool,
     /// True for an enum that selects a kind of message: Rust gets a constructor for each of its values.
     pub constructors: bool,
-    /// True where sources leave room for another shape: what does not fit the type is kept as raw JSON.
+    /// True if sources allow another shape: a value that does not fit the type is kept as raw JSON.
     pub or_raw: bool,
     /// Meaning of the field. The first sentence stands alone.
     pub doc: String,
@@ -406,7 +406,7 @@ pub enum Type {
 }
 
 impl Type {
-    /// The scalar or the named type at its heart: that of its elements, or of the value of its literal.
+    /// The innermost scalar or named type: of its elements, or of the value of its literal.
     pub fn innermost(&self) -> &Self {
         match self {
             Self::List(inner) | Self::Array(inner, _) | Self::Python(inner) => inner.innermost(),
@@ -658,7 +658,7 @@ pub struct EventTexts {
     pub remedy: Option<String>,
 }
 
-/// Family of events, such as those of brakes: causes and remedies for events of which no source states them.
+/// Family of events, such as brakes: causes and remedies for events without a source of their own.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct EventFamily {
     /// Name of the family in the spec.
@@ -675,7 +675,7 @@ impl Event {
         self.codes.iter().any(|range| range.contains(&code))
     }
 
-    /// Joint that the code is about, counted from 1, where the event has one code for each of six joints.
+    /// Joint of the code, counted from 1, if the event has one code for each of six joints.
     pub fn joint(&self, code: u32) -> Option<usize> {
         let joints: Vec<_> = self.codes().collect();
         let is_of_joints =
@@ -726,9 +726,9 @@ pub struct Refusal {
 /// A request and its reply, as JSON text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Example {
-    /// The request, where the document prints it.
+    /// The request, if the document prints it.
     pub request: Option<String>,
-    /// The reply, where the document prints it.
+    /// The reply, if the document prints it.
     pub reply: Option<String>,
     /// True where values of the request are ours: the document prints placeholders, or nothing.
     pub request_is_ours: bool,

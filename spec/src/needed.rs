@@ -2,7 +2,7 @@
 
 use crate::model::Field;
 
-/// Field of status packets by which a robot tells whether the arm may move, and how a motion goes.
+/// Field of status packets that shows a robot whether the arm may move, or the progress of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct NeededField {
     /// Name in Rust of the field of the built-in status packet.
@@ -16,7 +16,7 @@ pub struct NeededField {
 /// Source of a field of the built-in status packet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FieldSource<'s> {
-    /// Field of the status packet whose values mean the same.
+    /// Field of the status packet with the same meaning.
     Field(&'s Field),
     /// None: the packets of this controller never have it.
     Absent,

@@ -1,4 +1,4 @@
-//! Packs: what a user's file adds to a spec and changes in it.
+//! Packs: additions and changes of a user's file to a spec.
 
 mod covers;
 mod draft;
@@ -17,19 +17,19 @@ use crate::resolve::Index;
 use crate::spec::Spec;
 use crate::{Source, read, resolve};
 
-/// A spec with what a pack adds to it and changes in it.
+/// A spec with the additions and changes of a pack.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pack {
-    /// All of it: the changed items at their places, and what is new in a last topic, the pack's.
+    /// All of it: the changed items at their places, and new items in a last topic, the pack's.
     pub spec: Spec,
-    /// Entries of the pack that change nothing, since the spec has by now what they say.
+    /// Entries of the pack that change nothing, because the spec already has them.
     pub notes: Vec<Error>,
     /// Errors that keep the pack from being a module, such as a file name that no module can have. The pack can still
     /// be used at run time.
     pub module_errors: Vec<Error>,
     /// Items that are new.
     topic: Topic,
-    /// All error codes of the file, also those that the spec has by now.
+    /// All error codes of the file, also those that the spec already has.
     codes: Vec<ErrorCode>,
     /// All events of the file, likewise.
     events: Vec<Event>,

@@ -21,7 +21,7 @@ pub fn prose(text: &str) -> String {
     linked_prose(text, |_| None)
 }
 
-/// The text as prose, where a code span is a link if there is a target for what is in it.
+/// The text as prose; a code span becomes a link if its content has a target.
 ///
 /// ```
 /// let target = |name: &str| (name == "joint_move").then(|| "JointMove".to_owned());
@@ -73,7 +73,7 @@ pub const HIDDEN: &[RangeInclusive<char>] = &[
     '\u{13430}'..='\u{1343f}', '\u{1bca0}'..='\u{1bca3}', '\u{1d173}'..='\u{1d17a}', '\u{e0001}'..='\u{e0001}', '\u{e0020}'..='\u{e007f}',
 ];
 
-/// True for control characters, and for those of [`HIDDEN`].
+/// True for control characters, and for characters of [`HIDDEN`].
 pub(crate) fn is_hidden(c: char) -> bool {
     c.is_control() || HIDDEN.iter().any(|range| range.contains(&c))
 }

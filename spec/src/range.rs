@@ -16,9 +16,9 @@ pub struct Range {
 pub struct Advice {
     /// Greatest magnitude.
     pub max: f64,
-    /// True where the number should not be zero either.
+    /// True if the number should not be zero either.
     pub nonzero: bool,
-    /// Unit of the numbers concerned, where the field has numbers of several units.
+    /// Unit of the bounded numbers, if the field has numbers of several units.
     pub unit: Option<String>,
     /// Condition under which it holds; `None` if it always holds.
     pub when: Option<Condition>,

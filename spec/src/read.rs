@@ -42,7 +42,7 @@ pub(crate) fn topic<'s>(source: Source<'s>, index: &mut Index<'s>, report: &Repo
     })
 }
 
-/// Reads what every file has, and lets `body` read the rest.
+/// Reads the common part of a file, and lets `body` read the rest.
 pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&Item<'_, 's>, &mut Topic)) -> Topic {
     let table = parse(source, report);
     let start = At { source, offset: 0 };
@@ -64,7 +64,7 @@ pub(crate) fn file<'s>(source: Source<'s>, report: &Report, body: impl FnOnce(&I
     topic
 }
 
-/// Checks that the file's name can be that of a module.
+/// Checks that the file's name is a valid name of a module.
 pub(crate) fn check_name(source: Source<'_>, report: &Report) {
     let (start, name) = (At { source, offset: 0 }, stem(source.path));
     if !is_snake(name) {

@@ -20,7 +20,7 @@ pub struct Error {
     pub message: String,
 }
 
-/// In one line, whatever the file holds.
+/// In one line, for any content of the file.
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { path, line, column, message } = self;

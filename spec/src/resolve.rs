@@ -1,4 +1,4 @@
-//! The checks that need all files: references between them, and names that may stand only once.
+//! The checks that need all files: references between them, and unique names.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -45,7 +45,7 @@ pub(crate) enum Need {
     Type(Type),
     /// The type is an enum.
     Enum(TypeId),
-    /// The type is an object that can stand next to the keys of every reply.
+    /// The type is an object whose keys may be next to the keys of every reply.
     Reply(TypeId),
     /// The advised limits of these fields, which stand next to each other, make sense.
     Advised(Vec<Field>),

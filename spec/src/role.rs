@@ -7,7 +7,7 @@ pub enum Role {
     Stop,
     /// Pauses a motion or a program. `jaka` sends the built-in one without a question.
     Pause,
-    /// Resumes what is paused.
+    /// Resumes a paused motion.
     Resume,
     /// Set-point of servo mode.
     SetPoint,
@@ -33,11 +33,11 @@ pub enum Change {
 /// Motion that a command starts, by the Rust names of the fields of its request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Motion {
-    /// Path to the target; none where the controller chooses it.
+    /// Path to the target; `None` if the controller chooses it.
     pub path: Option<PathKind>,
     /// Field with the target, a `JointPosition` or a `Pose`.
     pub target: String,
-    /// Field that says whether the target is absolute or an offset; none where it is absolute.
+    /// Field that says whether the target is absolute or an offset; `None` for an absolute target.
     pub mode: Option<MotionMode>,
     /// Field with the pose between the ends of an arc.
     pub through: Option<String>,

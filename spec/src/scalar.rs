@@ -1,6 +1,6 @@
-//! Values that have no parts: what they are called, and what their types in Rust can do.
+//! Values without parts: their names, and the abilities of their types in Rust.
 
-/// The type of one value that has no parts that the spec knows.
+/// The type of one value without parts in the spec.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Scalar {
     /// A truth value, with the JSON texts that stand for false and true.

@@ -1,5 +1,5 @@
-//! A spec, and what is asked of it: its items by name, types by their shape on the wire, forms by firmware, and the
-//! sources of what a robot needs.
+//! A spec, and queries of it: items by name, types by their shape on the wire, forms by firmware, and the sources of
+//! the status that a robot needs.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Index;
@@ -35,7 +35,7 @@ pub enum Shape<'s> {
     Scalar(&'s Scalar),
     /// A string that holds a Python literal of this type.
     Python(&'s Type),
-    /// An array of elements of one type, and its length where the protocol fixes it.
+    /// An array of elements of one type, and its length if the protocol fixes it.
     List(&'s Type, Option<usize>),
     /// An object with these keys.
     Object(&'s [Field]),
@@ -109,7 +109,7 @@ impl Spec {
         self.command(name).or_else(|| self.commands().find(|command| command.name == name))
     }
 
-    /// The command whose `cmdName` or name in Rust is most like this one, if any is at all.
+    /// The command with the `cmdName` or Rust name most similar to this one, if one is similar.
     pub fn command_like(&self, name: &str) -> Option<&Command> {
         let names = self.commands().flat_map(|command| [&*command.wire, &*command.name]);
         nearest(name, names).and_then(|name| self.command_called(name))
@@ -296,8 +296,8 @@ impl Spec {
         spec
     }
 
-    /// Sources of what a robot needs of status packets, in the order of [`NEEDED_FIELDS`]; none where the spec has no
-    /// status packet.
+    /// Sources of the status that a robot needs, in the order of [`NEEDED_FIELDS`]; `None` if the spec has no status
+    /// packet.
     pub fn robot_status(&self) -> impl Iterator<Item = NeededSource<'_>> {
         NEEDED_FIELDS.iter().filter_map(|needed| {
             let known = self.as_built_in().status_fields().iter().find(|known| known.name == needed.name)?;
@@ -311,7 +311,7 @@ impl Spec {
         })
     }
 
-    /// Field of the status packet whose values mean what those of a field of the built-in one mean.
+    /// Field of the status packet with the meaning of a field of the built-in one.
     pub fn status_field_as(&self, built_in: &Field) -> Option<&Field> {
         match self.status_source(built_in)? {
             FieldSource::Field(field) => Some(field),

@@ -6,7 +6,7 @@ use crate::{Scalar, Type, TypeId};
 /// Greatest number of brackets and `python(…)` in a type.
 const MOST_LEVELS: usize = 4;
 
-/// Reads a type, or says what is wrong with it; `id` gives the id of a named type.
+/// Reads a type, or returns its mistake; `id` gives the id of a named type.
 pub(crate) fn parse(text: &str, id: &mut impl FnMut(&str) -> TypeId) -> Result<Type, String> {
     let levels = text.matches(['[', '(']).count();
     if levels > MOST_LEVELS {

@@ -1,4 +1,4 @@
-//! Firmware versions, as bounds of what a controller has.
+//! Firmware versions, as bounds of a controller's abilities.
 
 use std::fmt;
 
@@ -39,7 +39,7 @@ pub struct Versions {
 }
 
 impl Versions {
-    /// These, and what `others` says where these say nothing.
+    /// These bounds, and those of `others` for missing ones.
     pub(crate) fn or(self, others: &Self) -> Self {
         let Self { since, until } = others.clone();
         Self { since: self.since.or(since), until: self.until.or(until) }

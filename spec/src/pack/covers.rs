@@ -1,4 +1,4 @@
-//! Comparison of a pack's items with those that the spec has by now.
+//! Comparison of a pack's items with the spec's present ones.
 //!
 //! A program that uses the pack can use the spec's item in its place where the spec's item covers the pack's: the
 //! program's code compiles as before and means the same. That is so where the spec has all names, types and units of

@@ -71,7 +71,7 @@ impl<'s> Draft<'s, '_> {
         }
     }
 
-    /// Changes one field or one value, or what is said about a command.
+    /// Changes one field or one value, or a fact of a command.
     fn change(&mut self, item: &Item<'_, 's>) {
         let Some(target) = Target::of(item, &self.spec) else { return };
         let variant = item.text("variant");
@@ -115,7 +115,7 @@ impl<'s> Draft<'s, '_> {
         }
     }
 
-    /// Reads a file into a topic of its own.
+    /// Reads a file into a separate topic.
     pub(super) fn read(&mut self, root: &Item<'_, 's>, topic: &mut Topic) {
         let commands = root.items("command", "command");
         let types = root.items("type", "type");

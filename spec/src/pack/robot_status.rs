@@ -1,4 +1,4 @@
-//! `[robot_status]`: sources of what a robot needs of status packets.
+//! `[robot_status]`: sources of the status that a robot needs.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use crate::needed::{ABSENT, FieldSource, NEEDED_FIELDS, NeededField, PROGRAM, St
 use crate::report::{At, Report};
 use crate::spec::Spec;
 
-/// Lines and entries of a file for what a robot needs.
+/// Lines and entries of a file for the needs of a robot.
 #[derive(Debug, Default)]
 pub(super) struct Lines<'s> {
     /// Places of its lines, by the needed field.

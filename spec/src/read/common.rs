@@ -55,7 +55,7 @@ pub(super) fn word<T: Copy>(
     found
 }
 
-/// The versions that know the item; what its table does not say is as `before`.
+/// The versions that know the item; a missing key of its table is as in `before`.
 pub(crate) fn versions(item: &Item<'_, '_>, before: &Versions) -> Versions {
     let version = |key| {
         let text = item.text(key)?;

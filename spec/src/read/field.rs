@@ -106,8 +106,8 @@ fn constructors<'s>(item: &Item<'_, 's>, ty: &Type, index: &mut Index<'s>) -> bo
     true
 }
 
-/// The field as an `[[override]]` changes it: what the table does not say stays as it is. `taken` are keys that it may
-/// not have; an element of an array has none.
+/// The field after an `[[override]]`: a missing key of the table changes nothing. The table must not have the keys in
+/// `taken`; an element of an array has none.
 pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str], index: &mut Index<'s>) -> Field {
     let wire = if item.has("wire") { key(item, taken).value } else { base.wire.clone() };
     if base.wire.is_empty() && !wire.is_empty() {

@@ -110,7 +110,7 @@ pub(crate) fn enum_value<T>(item: &Item<'_, '_>, wire: T) -> EnumValue<T> {
     value
 }
 
-/// The value as an `[[override]]` changes it: what the table does not say stays as it is.
+/// The value after an `[[override]]`: a missing key of the table changes nothing.
 pub(crate) fn changed_value<T: Clone>(item: &Item<'_, '_>, base: &EnumValue<T>) -> EnumValue<T> {
     let value = EnumValue {
         wire: base.wire.clone(),
@@ -132,7 +132,7 @@ fn value_name(item: &Item<'_, '_>) -> String {
     name.value
 }
 
-/// The variants of a choice, whose fields are read by `fields`.
+/// The variants of a choice; `fields` reads their fields.
 pub(super) fn variants<'s>(item: &Item<'_, 's>, mut fields: impl FnMut(&Item<'_, 's>) -> Vec<Field>) -> Vec<Variant> {
     let mut names = Unique::default();
     let mut tags = Unique::default();
@@ -148,7 +148,7 @@ pub(super) fn variants<'s>(item: &Item<'_, 's>, mut fields: impl FnMut(&Item<'_,
     items.iter().map(read).collect()
 }
 
-/// One variant, whose fields are read by `fields`.
+/// One variant; `fields` reads its fields.
 pub(crate) fn variant<'s>(item: &Item<'_, 's>, fields: impl FnOnce(&Item<'_, 's>) -> Vec<Field>) -> Variant {
     let (wire, name, fields) = (wire_int(item).value, camel_name(item).value, fields(item));
     let variant = Variant { wire, name, doc: required_doc(item), role: role(item), fields };

@@ -17,7 +17,7 @@ use collect::{ADDED, Differ, Pair, REMOVED, pairs};
 /// Impact of a change on programs that use the generated Rust interface, in the terms of semantic versioning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Impact {
-    /// Documentation, what the simulator answers, or the order in which keys are sent.
+    /// Documentation, answers of the simulator, or the order of keys in requests.
     Patch,
     /// There is more than before, or the client or the robot behaves otherwise at run time; every program compiles.
     Minor,

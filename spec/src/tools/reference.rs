@@ -92,7 +92,7 @@ fn by_section(spec: &Spec) -> Vec<(&Topic, &Command)> {
     commands
 }
 
-/// The section's numbers; what the document does not have comes last.
+/// The section's numbers; commands beyond the document come last.
 fn section_order(command: &Command) -> (bool, Vec<u32>) {
     let section = command.section.as_deref();
     let numbers = section.map(|section| section.split('.').map(|part| part.parse().unwrap_or(u32::MAX)).collect());

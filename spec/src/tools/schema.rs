@@ -87,7 +87,7 @@ fn reference(name: &str) -> Value {
     json!({ "$ref": format!("#/$defs/{name}") })
 }
 
-/// A schema that passes what one of the schemas passes; none passes nothing.
+/// A schema that passes the values of any of these schemas; none passes nothing.
 fn alternatives(keyword: &str, schemas: &[Value]) -> Value {
     if schemas.is_empty() { json!({ "not": {} }) } else { json!({ keyword: schemas }) }
 }
@@ -98,7 +98,7 @@ fn with(mut schema: Value, keyword: &str, value: impl Into<Value>) -> Value {
     schema
 }
 
-/// The number, without a fraction where it has none.
+/// The number, without a zero fraction.
 fn number(value: f64) -> Value {
     let text = value.to_string();
     text.parse::<i64>().map_or_else(|_| json!(value), |whole| json!(whole))

@@ -43,7 +43,7 @@ impl<'s> Differ<'s> {
         }
     }
 
-    /// Notes that a value changed, and from what to what.
+    /// Notes a changed value, with the old and the new one.
     pub(super) fn value<T: PartialEq + Display>(&mut self, place: &str, what: &str, old: &T, new: &T, impact: Impact) {
         if old != new {
             self.note(place, format!("{what} changed from `{old}` to `{new}`"), impact);

@@ -38,7 +38,7 @@ pub(super) fn compare(d: &mut Differ<'_>, place: &str, noun: &str, old: &[Field]
     }
 }
 
-/// Compares what the method of a command takes, whose required fields are the same.
+/// Compares the arguments of a command's method, with equal required fields.
 pub(super) fn method(d: &mut Differ<'_>, place: &str, old: &[Field], new: &[Field]) {
     let (Some(old), Some(new)) = (only_required(old), only_required(new)) else { return };
     if key(old) == key(new) && old.or_raw == new.or_raw && d.same_type(&old.ty, &new.ty) {

@@ -48,8 +48,7 @@ const CHINESE: Edition = Edition {
 
 /// All [events](crate::Event) of a spec in Markdown: a table by code with severity, meaning, cause and remedy.
 ///
-/// A cause or a remedy that is that of the event's family is in italics. Links lead to `REFERENCE.md` in the same
-/// folder.
+/// A cause or a remedy of the event's family is in italics. Links lead to `REFERENCE.md` in the same folder.
 pub fn events(spec: &Spec) -> String {
     page(spec, &ENGLISH)
 }

@@ -143,7 +143,7 @@ fn limit(schema: &mut Value, field: &Field) {
     }
 }
 
-/// The schema of an enum, and what its description adds.
+/// The schema of an enum, and its additions to a description.
 fn enumeration<T: Display + Clone + Into<Value>>(
     values: &[EnumValue<T>],
     direction: Direction,
