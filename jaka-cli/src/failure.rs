@@ -145,8 +145,11 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
         Remedy::FindObstacle => "look for an obstacle at the arm",
         Remedy::MoveToStart => "`--approach` moves the arm to the start first",
         Remedy::LeaveOutPort => "leave out the port; `--command-port` and `--status-port` name other ones",
+        Remedy::Connection(jaka_sync::Remedy::CheckAddress) => {
+            "check the address, the network, and that the controller is on"
+        }
         Remedy::Connection(jaka_sync::Remedy::FreeSeat) => {
-            "check that the controller is on, and that no other client, such as the vendor's app, is connected to the command port"
+            "check the address, that the controller is on, and that no other client, such as the vendor's app, is connected to the command port"
         }
         Remedy::Connection(jaka_sync::Remedy::CheckStatusPort) => {
             "check that this is the status port, 10000, and that the controller has started"

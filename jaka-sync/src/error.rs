@@ -173,6 +173,7 @@ impl Error {
             {
                 Remedy::FreeSeat
             }
+            ErrorKind::Connect { .. } => Remedy::CheckAddress,
             ErrorKind::FirmwareUnknown { .. } => Remedy::CheckFirmware,
             ErrorKind::StatusTimeout { .. } => Remedy::CheckStatusPort,
             ErrorKind::StatusUnknown { problem } => problem.remedy(),
@@ -180,7 +181,6 @@ impl Error {
             // The error's fact is all that is known.
             ErrorKind::InvalidArgument(_)
             | ErrorKind::NotInFirmware(_)
-            | ErrorKind::Connect { .. }
             | ErrorKind::Refused { .. }
             | ErrorKind::KeptBack { .. }
             | ErrorKind::Timeout { .. }

@@ -11,11 +11,14 @@ jaka_proto::worded! {
         None => "",
         /// Ask the controller for its firmware.
         CheckFirmware => "call `check_firmware` first",
+        /// Check the address, the network, and that the controller is on.
+        CheckAddress => "check the address, the network, and that the controller is on",
         /// Check the network, and that the controller is on.
         CheckNetwork => "check the network, and that the controller is on",
-        /// Check that the controller is on, and that no other client occupies its command port, which serves one.
+        /// Check the address, that the controller is on, and that no other client occupies its command port, which
+        /// serves one.
         FreeSeat =>
-            "check that the controller is on, and that no other client, such as the vendor's app, is connected to the command port",
+            "check the address, that the controller is on, and that no other client, such as the vendor's app, is connected to the command port",
         /// Check that the address belongs to the status port, and that the controller has started.
         CheckStatusPort => "check that this is the status port, 10000, and that the controller has started",
         /// Connect to the status port again.

@@ -6,7 +6,7 @@ use std::time::Duration;
 use jaka_proto::exchange::OutOfSync;
 use jaka_proto::framing::FrameError;
 use jaka_sim::{Controller, Fault, SimulatedClock};
-use jaka_sync::{Client, Config, Disconnect, Error, ErrorCode, ErrorKind};
+use jaka_sync::{Client, Config, Disconnect, Error, ErrorCode, ErrorKind, Monitor};
 use jaka_tests::{Arm, LONG, ReservedPort};
 use serde_json::json;
 
@@ -69,17 +69,24 @@ fn refused_connect() {
     let address = nobody.address();
     let error = Client::connect(address).expect_err("nobody listens");
     assert!(error.is_connect() && !error.may_have_run());
-    let seat = "check that the controller is on, and that no other client, such as the vendor's app, is connected to the command port";
+    let seat = "check the address, that the controller is on, and that no other client, such as the vendor's app, is connected to the command port";
     assert_eq!(error.to_string(), format!("cannot connect to {address}; {seat}"));
     let ErrorKind::Connect { source, .. } = error.kind() else { panic!("it is a connect error") };
     assert_eq!(source.kind(), std::io::ErrorKind::ConnectionRefused);
+    // The status port serves any number of clients.
+    let error = <Monitor>::connect(address).expect_err("nobody listens");
+    let remedy = "check the address, the network, and that the controller is on";
+    assert_eq!(error.to_string(), format!("cannot connect to {address}; {remedy}"));
 }
 
 #[test]
 fn connect_to_a_name_that_does_not_exist() {
     let error = Client::connect("no such host").expect_err("blanks are in no host name");
     assert!(error.is_connect());
-    assert_eq!(error.to_string(), "cannot connect to no such host:10001");
+    assert_eq!(
+        error.to_string(),
+        "cannot connect to no such host:10001; check the address, the network, and that the controller is on"
+    );
 }
 
 #[test]
