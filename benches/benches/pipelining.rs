@@ -1,4 +1,4 @@
-//! Set-points with 1, 8 and 64 of them outstanding: what servo sessions send, without their cycle.
+//! Set-points with 1, 8 and 64 of them outstanding: the requests of servo sessions, without their cycle.
 //!
 //! Option: `--server-core N` binds the server to a processor, by `taskset`.
 

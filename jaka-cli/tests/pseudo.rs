@@ -21,7 +21,7 @@ pub(crate) fn terminal(script: &str) -> Command {
     command
 }
 
-/// The command at work; none where the machine has no `script` of util-linux, which is told.
+/// The command at work; `None` if the machine has no `script` of util-linux, which is told.
 pub(crate) fn started(mut command: Command) -> Option<Child> {
     let started = command.spawn();
     if started.is_err() {

@@ -21,7 +21,7 @@ impl Clock {
         Self { simulated: Some(clock.clone()) }
     }
 
-    /// Simulated clock of which this has the time; none where that is the system's. Needs the feature `simulated`.
+    /// Simulated clock of which this has the time; `None` if that is the system's. Needs the feature `simulated`.
     #[cfg(feature = "simulated")]
     pub fn as_simulated(&self) -> Option<&SimulatedClock> {
         self.simulated.as_ref()
@@ -36,7 +36,7 @@ impl Clock {
         Instant::now()
     }
 
-    /// Time that has passed since then; zero where that is yet to come.
+    /// Time that has passed since then; zero if that is yet to come.
     pub fn elapsed(&self, since: Instant) -> Duration {
         self.now().saturating_duration_since(since)
     }
@@ -50,7 +50,7 @@ impl Clock {
         started.elapsed()
     }
 
-    /// Time until then; zero where that has passed.
+    /// Time until then; zero if that has passed.
     pub fn left(&self, until: Instant) -> Duration {
         until.saturating_duration_since(self.now())
     }

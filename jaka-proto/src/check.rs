@@ -12,7 +12,7 @@ pub struct FieldLimits<'u> {
     pub min: Option<f64>,
     /// Greatest value allowed.
     pub max: Option<f64>,
-    /// True where newer firmware takes more than the range.
+    /// True if newer firmware takes more than the range.
     pub advisory: bool,
     /// Advisory bounds of numbers, in addition to the range.
     pub advised: Advised<'u>,
@@ -437,7 +437,7 @@ impl<'u> Advised<'u> {
         Self { times: count.into().unwrap_or(1).max(1) as f64, ..self }
     }
 
-    /// True where nothing is advised.
+    /// True if nothing is advised.
     pub const fn is_none(&self) -> bool {
         self.rows.is_empty()
     }

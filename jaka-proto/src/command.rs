@@ -191,7 +191,7 @@ pub enum Change {
 }
 
 impl Change {
-    /// True where poses mean something else afterwards.
+    /// True if poses mean something else afterwards.
     pub fn concerns_poses(self) -> bool {
         match self {
             Self::Frames | Self::Tool => true,

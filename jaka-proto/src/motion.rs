@@ -69,7 +69,7 @@ pub enum Path {
     Line {
         /// Its speed in mm/s.
         speed: f64,
-        /// Its acceleration in mm/s²; none where the controller chooses it.
+        /// Its acceleration in mm/s²; `None` if the controller chooses it.
         acceleration: Option<f64>,
     },
     /// The tool centre point on an arc.
@@ -78,7 +78,7 @@ pub enum Path {
         through: Pose,
         /// The speed of the tool centre point in mm/s.
         speed: f64,
-        /// Its acceleration in mm/s²; none where the controller chooses it.
+        /// Its acceleration in mm/s²; `None` if the controller chooses it.
         acceleration: Option<f64>,
     },
     /// The request does not determine it.

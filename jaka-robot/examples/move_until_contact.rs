@@ -42,7 +42,7 @@ fn run() -> Result<(), Box<dyn Error>> {
 fn touch(robot: &mut Robot) -> Result<(), Box<dyn Error>> {
     let down = MoveL::relative([0.0, 0.0, -40.0, 0.0, 0.0, 0.0], 4.0).acceleration(500.0);
     let contact = ForceLimit::new(ForceComponent::Force, 10.0);
-    // Fails where the arm has come to the end without a contact, too.
+    // Fails if the arm has come to the end without a contact, too.
     let trip = robot.run(&down.guard(contact), MOTION)?.guarded()?;
     let at = robot.client().get_tcp_pos()?.pose;
     println!(

@@ -92,7 +92,7 @@ impl StreamConfig {
     /// uses up the overtravel in the time for which it goes on unbraked and 0.05 s (ours), and from each set-point on
     /// it lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is
     /// faster is refused, with that speed as the limit
-    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also where packets stay away
+    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also if packets stay away
     /// for three of their periods, 100 ms at least.
     pub fn guard(mut self, guard: impl Into<Guard>) -> Self {
         self.guard = Some(guard.into());

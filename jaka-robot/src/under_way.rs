@@ -12,9 +12,9 @@ use crate::Snapshot;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct SelectedFrames {
-    /// Id of the tool frame; none where packets do not show it.
+    /// Id of the tool frame; `None` if packets do not show it.
     pub tool: Option<i64>,
-    /// Id of the user frame; none where packets do not show it.
+    /// Id of the user frame; `None` if packets do not show it.
     pub user: Option<i64>,
 }
 
@@ -67,7 +67,7 @@ pub(crate) struct UnderWay {
     start: Start,
     /// Change that the newest packet shows.
     change: Option<FrameChange>,
-    /// The rate of all packets that is the furthest from 1; none where they show none.
+    /// The rate of all packets that is the furthest from 1; `None` if they show none.
     rapid_rate: Option<f64>,
     /// Number of the newest packet.
     packet: u64,
@@ -137,7 +137,7 @@ impl UnderWay {
         }
     }
 
-    /// The rate of all packets that is the furthest from 1; none where they show none.
+    /// The rate of all packets that is the furthest from 1; `None` if they show none.
     pub(crate) fn rapid_rate(&self) -> Option<f64> {
         self.rapid_rate
     }

@@ -21,7 +21,7 @@ fn alone() -> MutexGuard<'static, ()> {
     ALONE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The memory of this process, in MiB, if pages have 4 KiB; 0 where it is not known, which is told.
+/// The memory of this process, in MiB, if pages have 4 KiB; 0 if it is not known, which is told.
 fn memory() -> usize {
     let statm = std::fs::read_to_string("/proc/self/statm").unwrap_or_default();
     let pages = statm.split(' ').nth(1).and_then(|pages| pages.parse::<usize>().ok());

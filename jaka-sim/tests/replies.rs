@@ -8,7 +8,7 @@ use jaka_proto::{Command, Envelope, ErrorCode, Request, Visit, read_payload, wri
 use jaka_sim::{Controller, Delays, Firmware};
 use jaka_spec::{Effect, Requirement, Spec};
 
-/// A controller whose time stands still, so that replies do not depend on how far a motion is.
+/// A controller with a clock that stands still, so that replies do not depend on the progress of a motion.
 fn start(firmware: Firmware) -> Controller {
     let builder = Controller::builder().delays(Delays::NONE).stepped_clock();
     builder.firmware(firmware).start().expect("loopback has ports")

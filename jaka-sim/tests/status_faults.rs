@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::common::{Peer, fresh, json, simulated};
 use jaka_sim::{Controller, FaultPlan, StatusFault};
 
-/// A reader that has had its first packet, and a controller that sends none but those asked for.
+/// A reader with its first packet, and a controller that sends further packets only on request.
 fn reader() -> (Controller, Peer, String) {
     let controller = fresh();
     let mut peer = Peer::status(&controller);

@@ -137,12 +137,12 @@ impl Command {
         head
     }
 
-    /// Variants of the request; none where all requests have the same fields.
+    /// Variants of the request; `None` if all requests have the same fields.
     pub fn variants(&self) -> &[Variant] {
         if let Request::Choice(choice) = &self.request { &choice.variants } else { &[] }
     }
 
-    /// True where nothing is sent but `cmdName`.
+    /// True if nothing is sent but `cmdName`.
     pub fn is_bare(&self) -> bool {
         matches!(&self.request, Request::Fields(fields) if fields.is_empty())
     }
@@ -245,7 +245,7 @@ pub enum Reply {
 }
 
 impl Reply {
-    /// The fields that no named type has; none where the reply is an object of a named type.
+    /// The fields that no named type has; `None` if the reply is an object of a named type.
     pub fn own_fields(&self) -> &[Field] {
         if let Self::Fields(fields) = self { fields } else { &[] }
     }
@@ -514,7 +514,7 @@ pub enum TypeKind {
     Array {
         /// The elements, in order.
         fields: Vec<Field>,
-        /// True where an array with further elements is an error; otherwise they are ignored.
+        /// True if an array with further elements is an error; otherwise they are ignored.
         exact: bool,
     },
     /// An open set of named integers.
@@ -603,7 +603,7 @@ pub struct EnumValue<T> {
     pub name: String,
     /// Meaning of the value.
     pub doc: String,
-    /// True where only newer firmware takes it.
+    /// True if only newer firmware takes it.
     pub advisory: bool,
     /// First and last firmware that takes it.
     pub versions: Versions,
@@ -730,9 +730,9 @@ pub struct Example {
     pub request: Option<String>,
     /// The reply, if the document prints it.
     pub reply: Option<String>,
-    /// True where values of the request are ours: the document prints placeholders, or nothing.
+    /// True if values of the request are ours: the document prints placeholders, or nothing.
     pub request_is_ours: bool,
-    /// True where values of the reply are ours.
+    /// True if values of the reply are ours.
     pub reply_is_ours: bool,
 }
 

@@ -49,7 +49,7 @@ pub struct Module {
     pub codes: Vec<ErrorCode>,
     /// The events of which the module tells.
     pub events: Vec<Event>,
-    /// The `cmdName`s of the commands whose methods bear the module's name: those that the pack changes, also where the
+    /// The `cmdName`s of the commands whose methods bear the module's name: those that the pack changes, also if the
     /// spec has the change by now.
     pub changed: BTreeSet<String>,
     /// The `cmdName`s of the commands that the spec has by now as the pack has them, each with its name in the pack.

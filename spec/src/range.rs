@@ -7,7 +7,7 @@ pub struct Range {
     pub min: Option<f64>,
     /// Greatest value allowed.
     pub max: Option<f64>,
-    /// True where newer firmware takes more than this.
+    /// True if newer firmware takes more than this.
     pub advisory: bool,
 }
 

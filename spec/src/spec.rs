@@ -43,7 +43,7 @@ pub enum Shape<'s> {
     Tuple {
         /// The elements, in order.
         fields: &'s [Field],
-        /// True where an array with further elements is an error; otherwise they are ignored.
+        /// True if an array with further elements is an error; otherwise they are ignored.
         exact: bool,
     },
     /// One of some whole numbers, or another one.

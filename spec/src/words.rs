@@ -25,7 +25,7 @@ pub fn range(range: Range) -> Option<String> {
 }
 
 /// `more than 0, at most 265`, or ``-360 to 360, where `mode` is 0 (Absolute)``: what is advised of a field, which
-/// stands among `fields`; nothing where that is nothing. `name` says how other fields are called.
+/// stands among `fields`; nothing if that is nothing. `name` says how other fields are called.
 pub fn advised(spec: &Spec, fields: &[Field], field: &Field, name: impl Fn(&Field) -> String) -> Option<String> {
     let sibling = |rust: &String| fields.iter().find(|other| other.name == *rust);
     let called = |rust: &String| sibling(rust).map_or_else(|| rust.clone(), &name);
@@ -57,7 +57,7 @@ fn value_name<'s>(spec: &'s Spec, selector: &Field, wire: i64) -> Option<&'s str
     values.iter().find(|value| value.wire == wire).map(|value| &*value.name)
 }
 
-/// `1.5 and later`; nothing where every firmware has it.
+/// `1.5 and later`; nothing if every firmware has it.
 pub fn versions(versions: &Versions) -> Option<String> {
     match (&versions.since, &versions.until) {
         (Some(since), Some(until)) => Some(format!("{since} to {until}")),
@@ -112,7 +112,7 @@ pub fn role_sentence(role: Role) -> &'static str {
     }
 }
 
-/// `the frames of poses, the tool frame and the payload`; nothing where nothing is changed.
+/// `the frames of poses, the tool frame and the payload`; nothing if nothing is changed.
 pub fn changes(changes: &[Change]) -> Option<String> {
     let words: Vec<_> = changes
         .iter()
@@ -163,7 +163,7 @@ pub fn event_codes(codes: &RangeInclusive<u32>) -> String {
     if first == last { first } else { format!("{first}-{last}") }
 }
 
-/// `powered, enabled and outside servo mode`; nothing where the robot may be in any state.
+/// `powered, enabled and outside servo mode`; nothing if the robot may be in any state.
 pub fn requirements(requires: &[Requirement]) -> Option<String> {
     let words: Vec<_> = requires.iter().map(|requirement| self::requirement(*requirement)).collect();
     (!words.is_empty()).then(|| list(&words, "and"))

@@ -61,7 +61,7 @@ pub struct Printed {
     pub section: String,
     /// True for a request, false for a reply.
     pub is_request: bool,
-    /// True where the document prints placeholders.
+    /// True if the document prints placeholders.
     pub has_placeholders: bool,
     /// The message as printed, with numbers in place of placeholders.
     pub text: String,

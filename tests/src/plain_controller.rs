@@ -138,7 +138,7 @@ impl PlainController {
         loop {
             let count = match stream.read(&mut bytes) {
                 Ok(count @ 1..) => count,
-                // In simulated time also where the client begins to take part after this has begun to read.
+                // In simulated time also if the client begins to take part after this has begun to read.
                 Err(error) if matches!(error.kind(), ErrorKind::Interrupted | ErrorKind::WouldBlock) => continue,
                 _ => break,
             };

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-/// Says on standard error that a check was not made, and why, also where the test harness keeps back what tests print.
+/// Says on standard error that a check was not made, and why, also if the test harness keeps back what tests print.
 ///
 /// # Panics
 /// Where the environment has `CI`: a pass there means that every check was made.

@@ -9,7 +9,7 @@ use super::scan::Scan;
 pub struct JointPosReply<'a> {
     /// `cmdName`.
     pub command: &'a str,
-    /// `errorMsg`; empty where it is absent.
+    /// `errorMsg`; empty if it is absent.
     pub message: &'a str,
     /// The position.
     pub joint_position: JointPosition,

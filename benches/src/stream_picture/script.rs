@@ -91,7 +91,7 @@ fn set_points(mut generator: Generator) -> Vec<JointPosition> {
     (0..=LAST).map(|number| generator.next(goal(number)).joints).collect()
 }
 
-/// The difference from the value before, divided by the period; 0 at the first, before which the arm has stood.
+/// The difference from the previous value, divided by the period; 0 for the first value, before which the arm rested.
 fn rates(values: &[f64]) -> Vec<f64> {
     let differences = values.windows(2).map(|pair| (pair[1] - pair[0]) / PERIOD);
     std::iter::once(0.0).chain(differences).collect()

@@ -37,7 +37,7 @@ impl Server {
             }
             None => Command::new(program),
         };
-        // It ends when its standard input does, also where this process is killed.
+        // It ends when its standard input does, also if this process is killed.
         let mut child = command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let output = child.stdout.take().ok_or_else(|| io::Error::other("no standard output"))?;
         let mut robots = Vec::new();

@@ -3,7 +3,7 @@
 use std::fs;
 use std::time::Duration;
 
-/// CPU time of this process, with that of threads that have ended, in steps of 10 ms; none where `/proc` does not tell.
+/// CPU time of this process, with that of threads that have ended, in steps of 10 ms; `None` if `/proc` does not tell.
 pub fn cpu() -> Option<Duration> {
     cpu_of("self")
 }

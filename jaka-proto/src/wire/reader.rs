@@ -24,7 +24,7 @@ use crate::near::{first_of, plain_text};
 pub struct Reader<'a> {
     text: &'a str,
     at: usize,
-    /// True where a comma must come before the next key or element.
+    /// True if a comma must come before the next key or element.
     comma: bool,
     /// Number of open arrays and objects of any shape.
     depth: u32,

@@ -50,7 +50,7 @@ impl Guards {
         self.observers.values().filter_map(Weak::upgrade).collect()
     }
 
-    /// Progress of one.
+    /// Progress of one guard.
     pub(super) fn progress(&mut self, number: u64) -> &mut GuardProgress {
         self.progress.entry(number).or_default()
     }

@@ -312,7 +312,7 @@ impl ArmState {
         drop(disarmed);
     }
 
-    /// A servo session that moves the arm sends its next set-point within this time; none where none moves it.
+    /// A servo session that moves the arm sends its next set-point within this time; `None` if none moves it.
     pub(crate) fn expect_set_point(&self, within: Option<Duration>) {
         let due = within.map(|within| self.clock().now() + within);
         if self.lock().stops.expect_set_point(due) {
@@ -351,7 +351,7 @@ impl ArmState {
         }
     }
 
-    /// Time that a stop waits yet for a servo session to brake; none where none waits.
+    /// Time that a stop waits yet for a servo session to brake; `None` if none waits.
     pub(crate) fn time_to_brake(&self) -> Option<Duration> {
         let latest = self.lock().stops.goes_out_at()?;
         Some(self.clock().left(latest))

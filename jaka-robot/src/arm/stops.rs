@@ -17,9 +17,9 @@ pub(crate) struct Stops {
     reported: u64,
     /// Number of stops on their way to the controller.
     under_way: u64,
-    /// Time until which a servo session that moves the arm sends its next set-point; none where none moves it.
+    /// Time until which a servo session that moves the arm sends its next set-point; `None` if none moves it.
     set_point: Option<Instant>,
-    /// Time at which the first stop that waits for a session to brake goes out at the latest; none where none waits.
+    /// Time at which the first stop that waits for a session to brake goes out at the latest; `None` if none waits.
     goes_out_at: Option<Instant>,
 }
 

@@ -232,7 +232,7 @@ jaka_proto::worded! {
         /// Servo mode could not be left, or it is not known that it was: the arm may still be in servo mode. Where the
         /// connection is broken ([`Error::is_disconnected`]), no stop can be sent on it either.
         ServoModeNotLeft {
-            /// First error of the session; none where only leaving servo mode failed.
+            /// First error of the session; `None` if only leaving servo mode failed.
             first: Option<Error>,
             /// Reason why servo mode could not be left.
             leaving: Error,

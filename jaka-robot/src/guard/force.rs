@@ -264,7 +264,7 @@ const PERIOD_WITHIN: Duration = Duration::from_secs(2);
 /// Lower bound of [`longest_silence`].
 const SHORTEST_SILENCE: Duration = Duration::from_millis(100);
 
-/// The longest time between two of the last packets; none where too few come.
+/// The longest time between two of the last packets; `None` if too few come.
 pub(crate) fn packet_period(arm: &Arm, timeout: Duration) -> Option<Duration> {
     let period = || arm.statistics().recent_gap;
     arm.state.watch(timeout.min(PERIOD_WITHIN), |_| period()).ok().flatten()

@@ -52,7 +52,7 @@ impl Histogram {
     }
 }
 
-/// Shares of times, in seconds; none where no times are counted.
+/// Shares of times, in seconds; `None` if no times are counted.
 #[cfg(feature = "serde")]
 impl serde::Serialize for Histogram {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

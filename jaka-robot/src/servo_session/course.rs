@@ -81,7 +81,7 @@ impl Course {
         }
     }
 
-    /// Step from the set-point before to the last one, of the same kind as `like`; none where it is not known.
+    /// Step from the set-point before to the last one, of the same kind as `like`; `None` if it is not known.
     pub(super) fn last_step(&self, like: &SetPointStep) -> Option<SetPointStep> {
         match (self.step, like) {
             (None, like) if self.sent.is_none() => Some(like.scaled(0.0)),
@@ -138,13 +138,13 @@ impl Course {
         self.sent.is_some()
     }
 
-    /// The step from the last set-point but one to the last, from which the arm is braked; none where it stands, or
+    /// The step from the last set-point but one to the last, from which the arm is braked; `None` if it stands, or
     /// that is not known.
     pub(super) fn step(&self) -> Option<SetPointStep> {
         self.step.filter(|step| !step.is_none())
     }
 
-    /// The step to the last set-point, in joints where these are known; none where the step is not known.
+    /// The step to the last set-point, in joints where these are known; `None` if the step is not known.
     pub(super) fn step_of_joints(&self) -> Option<SetPointStep> {
         self.joints.both().map(|[before, last]| SetPointStep::between_joints(before, last)).or(self.step)
     }

@@ -115,7 +115,7 @@ impl<'r> ServoSession<'r> {
         Ok(Course::at(start, pose))
     }
 
-    /// The acknowledgement of `servo_move` comes before the mode has changed, and also where it does not change.
+    /// The acknowledgement of `servo_move` comes before the mode has changed, and also if it does not change.
     fn wait_until_entered(&mut self, timeout: Duration) -> Result<(), Error> {
         let since = self.arm.clock().stopwatch();
         let mut pace = Pace::new(self.arm.clock(), CYCLE, Duration::ZERO);

@@ -74,12 +74,12 @@ impl<'g> Supervision<'g> {
         self.guard.map_or(Ok(()), |guard| guard.check_tripped(|| self.measured_lag()))
     }
 
-    /// Lag of the arm behind its set-points; none where it is not measured, or not known.
+    /// Lag of the arm behind its set-points; `None` if it is not measured, or not known.
     pub(crate) fn lag(&self) -> Option<FollowLag> {
         self.lag.as_ref().and_then(LagFit::best)
     }
 
-    /// Lag as [`lag`](Self::lag), also where it is known only to be beyond the measured range.
+    /// Lag as [`lag`](Self::lag), also if it is known only to be beyond the measured range.
     fn measured_lag(&self) -> Option<MeasuredLag> {
         self.lag.as_ref().and_then(LagFit::measured)
     }
@@ -92,7 +92,7 @@ impl<'g> Supervision<'g> {
         }
     }
 
-    /// Compares the joints of a packet, if it shows them. Fails where none has for half a second.
+    /// Compares the joints of a packet, if it shows them. Fails if none has for half a second.
     fn take(&mut self, packet: &Snapshot) -> Result<(), Error> {
         self.packet = packet.number;
         match shown_joints(packet) {
@@ -120,7 +120,7 @@ fn not_shown(reason: NotShown) -> Error {
     ErrorKind::NotShown { what: "the joints follow their set-points".to_owned(), reason }.into()
 }
 
-/// Fails where packets do not show the joints, so that it would not be known whether these follow. Where no packets
+/// Fails if packets do not show the joints, so that it would not be known whether these follow. Where no packets
 /// come, something else decides.
 pub(crate) fn check_shows_joints(arm: &Arm, timeout: Duration) -> Result<(), Error> {
     let packet = arm.known_status(timeout)?;
@@ -128,7 +128,7 @@ pub(crate) fn check_shows_joints(arm: &Arm, timeout: Duration) -> Result<(), Err
 }
 
 impl ServoSession<'_> {
-    /// Checker of the set-points, and joint positions at the start; none where the robot has no limits.
+    /// Checker of the set-points, and joint positions at the start; `None` if the robot has no limits.
     pub(crate) fn checker_and_start(&self) -> Option<(&Checker, JointPosition)> {
         Some((self.limits.checker()?, self.last_joints()?))
     }

@@ -194,7 +194,7 @@ impl ServoSession<'_> {
     }
 
     /// Sends a set-point in the cycle that has begun, or the next one: not where that comes after a gap, since the arm
-    /// stands then. Fails where more are refused than this.
+    /// stands then. Fails if more are refused than this.
     fn send_landing(
         &mut self,
         set_point: SetPoint,

@@ -224,7 +224,7 @@ impl ServoSession<'_> {
         }
     }
 
-    /// Fails where other frames are selected than at the start.
+    /// Fails if other frames are selected than at the start.
     pub(super) fn check_frames(&mut self) -> Result<(), Error> {
         self.under_way.change().map_or(Ok(()), |change| Err(ErrorKind::FramesChanged { change }.into()))
     }

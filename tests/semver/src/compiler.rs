@@ -33,7 +33,7 @@ impl Errors {
         self.0.lines().filter(|line| line.contains(": error") || line.starts_with("error"))
     }
 
-    /// True where all errors are in the file with the generated messages.
+    /// True if all errors are in the file with the generated messages.
     pub(crate) fn are_in_messages(&self) -> bool {
         self.lines().all(|line| line.contains("messages.rs:") || line.starts_with("error: aborting"))
     }

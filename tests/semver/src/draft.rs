@@ -224,7 +224,7 @@ impl Draft {
         if name.is_empty() { self.text(place, "wire").to_owned() } else { name.to_owned() }
     }
 
-    /// True where the fields of a list are elements of an array, which have no keys.
+    /// True if the fields of a list are elements of an array, which have no keys.
     pub(crate) fn is_array(&self, list: &List) -> bool {
         let owner = list.owner.owner();
         list.owner.is_of_type() && self.text(&owner, "kind") != "object"

@@ -9,7 +9,7 @@ use toml::{Table, Value};
 use crate::draft::{Draft, Place};
 use crate::random::Random;
 
-/// Makes a change of its kind at a random place, and says which; nothing where there is no such place.
+/// Makes a change of its kind at a random place, and says which; nothing if there is no such place.
 type Make = fn(&mut Draft, &mut Random) -> Option<String>;
 
 /// A kind of edits.

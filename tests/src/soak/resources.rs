@@ -77,7 +77,7 @@ pub(super) fn allocated(allocator: &StatsAlloc<System>) -> u64 {
     u64::try_from(stats.bytes_allocated - stats.bytes_deallocated).unwrap_or(u64::MAX)
 }
 
-/// Memory of this process that is resident, holes of the heap included, in KiB; 0 where the system does not tell.
+/// Memory of this process that is resident, holes of the heap included, in KiB; 0 if the system does not tell.
 #[must_use]
 pub fn resident() -> u32 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();

@@ -118,7 +118,7 @@ fn the_python_program_ends_if_a_command_is_refused_or_the_arm_is_stopped() {
     }
 }
 
-/// Output of the page's program for a controller's addresses; none where there is no Python.
+/// Output of the page's program for a controller's addresses; `None` if there is no Python.
 fn python(controller: &Controller) -> Option<Output> {
     // A machine that is held up gets more than the half minute that the page's program waits.
     let program = block(PROGRAMS, "python").replace("timeout=30", "timeout=600").replace("() + 30", "() + 600");

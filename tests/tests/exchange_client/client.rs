@@ -125,7 +125,7 @@ impl Connection {
     fn finish(&mut self, now: Instant) {
         (self.has_pipeline, self.is_finishing) = (false, true);
         if self.oldest_posted().is_none() {
-            // There is nothing to wait for, also where the connection is broken.
+            // There is nothing to wait for, also if the connection is broken.
             return self.end_finishing(None);
         }
         self.pass(now);

@@ -61,7 +61,7 @@ impl Kind {
         Self::Monitor,
     ];
 
-    /// True where the reply has fields that the spec knows.
+    /// True if the reply has fields that the spec knows.
     pub(crate) fn has_typed_fields(self) -> bool {
         matches!(self, Self::Query | Self::Recorded | Self::StopBeside)
     }
@@ -174,7 +174,7 @@ impl<'t> Cell<'t> {
         self.controller.config().max_frame(MAX_FRAME).reply_timeout(timeout).stale_after(stale_after)
     }
 
-    /// True where a call of this cell is to be kept back without status.
+    /// True if a call of this cell is to be kept back without status.
     pub(crate) fn waits_for_stale_status(&self) -> bool {
         [self.expected.first, self.then].contains(&Outcome::StatusUnknown)
     }
@@ -295,7 +295,7 @@ impl<'t> Cell<'t> {
         outcome
     }
 
-    /// True where the first call has broken the connection.
+    /// True if the first call has broken the connection.
     fn is_broken(&self) -> bool {
         let ended = self.expected.stop.unwrap_or(self.expected.first);
         self.is_lifted() && matches!(ended, Outcome::Broken(_))

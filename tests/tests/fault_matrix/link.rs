@@ -48,12 +48,12 @@ impl LinkTrouble {
         self.direction.map_or(link, |direction| link.direction(direction)).set(self.fault);
     }
 
-    /// True where the fault concerns what passes on this port in this direction.
+    /// True if the fault concerns what passes on this port in this direction.
     pub(crate) fn is_on(&self, port: Port, direction: Direction) -> bool {
         self.port.is_none_or(|own| own == port) && self.direction.is_none_or(|own| own == direction)
     }
 
-    /// True where all passes in time.
+    /// True if all passes in time.
     pub(crate) fn is_in_time(&self) -> bool {
         match self.fault {
             LinkFault::None => true,

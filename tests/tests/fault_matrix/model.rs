@@ -25,7 +25,7 @@ pub(crate) struct Expected {
     pub(crate) stop: Option<Outcome>,
     /// Outcome of the next call, if it has another name.
     pub(crate) other: Outcome,
-    /// Outcome of the next call, if it has the same name; none where the name makes no difference.
+    /// Outcome of the next call, if it has the same name; `None` if the name makes no difference.
     pub(crate) same: Option<Outcome>,
 }
 

@@ -66,7 +66,7 @@ impl Outcome {
         }
     }
 
-    /// True where a call waits to its deadline.
+    /// True if a call waits to its deadline.
     pub(crate) fn is_timeout(self) -> bool {
         matches!(self, Self::Timeout | Self::Deadline | Self::NotLeft | Self::Broken(Cause::Ambiguous))
     }

@@ -59,7 +59,7 @@ pub(crate) fn run_set_points(cell: &Cell<'_>) -> Seen {
     let end = Witness::new(cell);
     cell.lift();
     match expected {
-        // Those that were not answered are as many as may be, also where they come by now.
+        // Those that were not answered are as many as may be, also if they come by now.
         Outcome::Broken(Cause::Reset) => begin.assert_within(cell, f64::from(UNANSWERED) * STEP),
         // Servo mode was left after the last of them.
         Outcome::StatusUnknown => {

@@ -73,7 +73,7 @@ impl Trouble {
         }
     }
 
-    /// True where replies themselves go wrong.
+    /// True if replies themselves go wrong.
     pub(crate) fn is_of_replies(&self) -> bool {
         matches!(self, Self::Reply(_) | Self::Refusal | Self::Misfit)
     }

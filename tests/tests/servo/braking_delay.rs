@@ -82,7 +82,7 @@ fn guard() -> Guard {
 }
 
 impl Event {
-    /// Reaction in this way, and the most cycles until it; none where the event cannot be, or where no source says what
+    /// Reaction in this way, and the most cycles until it; `None` if the event cannot be, or where no source says what
     /// it does to a motion.
     fn expected(self, way: Way) -> Option<(Reaction, u32)> {
         let (in_servo_mode, under_guard) = match self {

@@ -121,7 +121,7 @@ pub fn pose(place: [f64; 3], [roll, pitch, yaw]: [f64; 3]) -> Frame {
     frame
 }
 
-/// The joint positions near others that bring the flange to a frame, by Newton's method; none where it does not get
+/// The joint positions near others that bring the flange to a frame, by Newton's method; `None` if it does not get
 /// there.
 pub fn inverse(arm: &Witness, target: Frame, near: [f64; 6]) -> Option<[f64; 6]> {
     let mut joints = near;
@@ -179,7 +179,7 @@ fn off(here: Frame, target: Frame) -> [f64; 6] {
     off
 }
 
-/// Six equations, solved by elimination; none where they are not independent.
+/// Six equations, solved by elimination; `None` if they are not independent.
 fn solved(mut rows: [[f64; 7]; 6]) -> Option<[f64; 6]> {
     for pivot in 0..6 {
         let best = (pivot..6).max_by(|one, other| rows[*one][pivot].abs().total_cmp(&rows[*other][pivot].abs()))?;

@@ -14,7 +14,7 @@ pub(super) struct Holder {
     pub(super) required_added: Impact,
     /// Impact of another order of the fields.
     pub(super) order: Impact,
-    /// True where programs make values by constructors and setters.
+    /// True if programs make values by constructors and setters.
     pub(super) is_made: bool,
     /// Checks of the fields by the client.
     pub(super) checks: Checks,

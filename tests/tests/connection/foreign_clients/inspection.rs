@@ -50,7 +50,7 @@ impl<'a> Backend<'a> {
         (is_success && is_own, reply.get("errorMsg").and_then(Value::as_str).map(str::to_owned))
     }
 
-    /// The value of a key of the packet; none where the reply is no success to it.
+    /// The value of a key of the packet; `None` if the reply is no success to it.
     fn packet_value(&mut self, key: &str) -> Option<Value> {
         let mut reply = self.exchange(r#"{"cmdName":"get_data"}"#);
         let is_success = reply.get("errorCode").is_some_and(|code| code == "0");
@@ -58,7 +58,7 @@ impl<'a> Backend<'a> {
         (is_success && is_own).then(|| reply.remove(key)).flatten()
     }
 
-    /// Asks until a key of the packet has a value; false where its patience ends before.
+    /// Asks until a key of the packet has a value; false if its patience ends before.
     fn wait(&mut self, key: &str, value: &Value) -> bool {
         let end = self.0.arm.elapsed() + PATIENCE;
         self.0.arm.advance(FIRST_QUESTION);

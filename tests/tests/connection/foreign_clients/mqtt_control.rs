@@ -169,7 +169,7 @@ fn code(reply: &Map<String, Value>) -> i64 {
     code.as_str().map_or_else(|| code.as_i64(), |code| code.trim().parse().ok()).expect("`int` takes it")
 }
 
-/// The code that stands in a reply behind `"errorCode": "`; -1 where it does not stand so.
+/// The code after `"errorCode": "` in a reply; -1 in another form.
 fn fast_code(reply: &str) -> i64 {
     let found = reply.split_once(r#""errorCode": ""#).and_then(|(_, rest)| rest.split_once('"'));
     found.map_or(-1, |(code, _)| code.parse().expect("`int` takes it"))

@@ -27,12 +27,12 @@ pub(super) enum Packets {
 }
 
 impl Packets {
-    /// True where the robot's state is known. A packet that says nothing about stops does not allow a motion.
+    /// True if the robot's state is known. A packet that says nothing about stops does not allow a motion.
     pub(super) fn are_known(self) -> bool {
         matches!(self, Self::Good | Self::Noisy)
     }
 
-    /// True where they come again once nothing is wrong any more, to a monitor that does not reconnect.
+    /// True if they come again once nothing is wrong any more, to a monitor that does not reconnect.
     pub(super) fn come_again(self) -> bool {
         !matches!(self, Self::Gone | Self::End | Self::Old)
     }

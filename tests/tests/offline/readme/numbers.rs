@@ -30,7 +30,7 @@ fn numbers() -> [(&'static str, usize); 2] {
     [("document", of_document), ("beyond", spec.commands().count() - of_document)]
 }
 
-/// The text with these numbers in the place where the phrase stands with any; none where it does not stand.
+/// The text with these numbers in the place where the phrase stands with any; `None` if it does not stand.
 fn with_numbers(text: &str, phrase: &str, numbers: &[(&str, usize)]) -> Option<String> {
     let begin = phrase.split('{').next().unwrap_or_default();
     text.match_indices(begin).find_map(|(at, _)| {

@@ -7,7 +7,7 @@ use jaka_tests::witness::way::Bounds;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Moves {
     pub(crate) limits: [[f64; 6]; 3],
-    /// Acceleration and jerk of a joint that is braked; none where nothing stops.
+    /// Acceleration and jerk of a joint that is braked; `None` if nothing stops.
     pub(crate) stops: Option<[f64; 2]>,
     pub(crate) period: f64,
 }

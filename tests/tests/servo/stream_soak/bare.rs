@@ -33,7 +33,7 @@ impl BareLoops {
     }
 }
 
-/// As sessions do: a late cycle delays those after it.
+/// Sends as a session does: a late cycle delays the following ones.
 fn run(mut writer: TcpStream, period: Duration, over: &AtomicBool) -> (u64, f64) {
     writer.set_nodelay(true).expect("a socket");
     let (start, mut due, mut written) = (Instant::now(), Instant::now(), 0_u32);
