@@ -42,7 +42,7 @@ use crate::{Client, Command, Error};
 /// `jaka_robot::Robot::with_monitor`. If the pack changes the type, unit or name of a field that
 /// [a robot needs](crate::newer_firmware#what-a-robot-needs), its table `[robot_status]` names the field in the
 /// packets, states that they never have it, or states that the program implements
-/// [`MotionStatus`](crate::MotionStatus). The format is described with [jaka-spec](https://docs.rs/jaka-spec).
+/// [`MotionStatus`](crate::MotionStatus). The README of jaka-spec describes the format.
 ///
 /// A pack can build on other packs, which are named in their order. Their modules are siblings of its own module:
 ///
