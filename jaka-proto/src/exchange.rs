@@ -1,9 +1,9 @@
 //! The exchange on one command connection, without I/O and without a clock.
 //!
 //! Replies carry no sequence number, only (usually) the name of their command, in the order of the requests. An
-//! [`Exchange`] is told what is sent, what comes and whose time is up. It knows which requests are outstanding, whose a
-//! reply is, and what became of each request; and it finds out when replies can no longer be attributed: then the
-//! connection is [out of sync](OutOfSync), and must be closed.
+//! [`Exchange`] receives the requests, the replies and the expired deadlines. It keeps the outstanding requests,
+//! attributes replies, and returns the outcome of each request. If replies can no longer be attributed, the connection
+//! is [out of sync](OutOfSync), and must be closed.
 //!
 //! A request is *sent* ([`Exchange::send`]): a thread waits for its reply, as a [`Waiter`]. Or it is *posted*
 //! ([`Exchange::post`]): no thread waits for its reply in particular, and the outcome is counted. A reply is read once,
@@ -246,8 +246,8 @@ impl Exchange {
     /// The reply to a request is no longer wanted, though there was time for it: it will be discarded, or is if it is
     /// pending.
     ///
-    /// This does not suggest that a reply is lost. Where it is in doubt whose a reply was, that still matters to those
-    /// whose deadline passes.
+    /// This does not suggest a lost reply. If the request of a reply is in doubt, requests with an expired deadline are
+    /// still affected.
     pub fn abandon(&mut self, request: RequestId) {
         if self.pending_for(request).is_none() {
             self.sent.abandon(request);

@@ -153,11 +153,11 @@ impl Framer {
 
     /// Leaves the error state for the next `{` after the error, and returns the number of bytes dropped at once.
     ///
-    /// For streams that are only read, such as port 10000. Garbage is dropped as a whole; of a frame that is
-    /// too long, all that was visited; of one that was cut, what comes before the next. Where the next `{` is still to
-    /// come, what precedes it will be dropped as it comes: [`lost`](Self::lost) has it. A framer
-    /// [for status packets](Self::for_status) goes on at `{"len"`; the frame that another one finds may be an object
-    /// inside a broken one: its reader must expect any keys. Without an error, nothing is dropped.
+    /// For streams that are only read, such as port 10000. Drops garbage as a whole; of a frame that is too long, all
+    /// visited bytes; of a cut frame, the bytes before the next one. If the next `{` is still to come, the bytes before
+    /// it will be dropped on arrival: [`lost`](Self::lost) has their number. A framer [for status
+    /// packets](Self::for_status) continues at `{"len"`; the frame of another framer may be an object inside a broken
+    /// one, so its reader must expect any keys. Without an error, nothing is dropped.
     pub fn resync(&mut self) -> usize {
         let Some(error) = self.error.take() else { return 0 };
         let dropped = self.start;

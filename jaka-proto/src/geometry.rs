@@ -35,9 +35,9 @@
 //! with the quaternion 0.0629, 0.522886, -0.5592, 0.6453 (w first), which fits this order alone.
 //!
 //! # From an orientation to angles
-//! `ry` comes out within 90 degrees of zero, `rx` and `rz` above -180 and up to 180. At gimbal lock, where `ry` is 90
-//! or -90, only the difference or sum of `rx` and `rz` is determined: `rz` is zero there. The angles may differ from
-//! those that a quaternion or matrix was made of, the orientation does not.
+//! `ry` is within 90 degrees of zero, `rx` and `rz` above -180 and up to 180. At gimbal lock, with `ry` at 90 or -90,
+//! only the difference or sum of `rx` and `rz` is determined: `rz` is zero there. The angles may differ from those of
+//! the original quaternion or matrix, the orientation does not.
 //!
 //! # nalgebra, glam and others
 //! They exchange values with each other through the `mint` crate, and with us under the feature `mint`:

@@ -13,10 +13,9 @@ use crate::{Error, NotShown, Snapshot};
 ///
 /// Packets of port 10000 list inputs without numbers. Here a number is the place in such a list, counted from the
 /// number of the variant: with [`FromOne`](Self::FromOne), 3 is the third input of the list. A pendant, the print on a
-/// cabinet and the indices of commands (4.25) may count in another way, which differs between controllers: switch the
-/// input by hand and look at a packet (`jaka status`) before anything relies on it. The first eight inputs of the
-/// cabinet's list are its own, of which the controller occupies the first; the document calls the others Modbus inputs
-/// (4.26).
+/// cabinet and the indices of commands (4.25) may count differently, by controller: switch the input by hand and look
+/// at a packet (`jaka status`) before anything relies on it. The first eight inputs of the cabinet's list are its own,
+/// of which the controller occupies the first; the document calls the others Modbus inputs (4.26).
 ///
 /// ```
 /// use jaka_robot::Numbering;
@@ -88,8 +87,8 @@ pub(crate) enum When {
 
 /// A level or an edge of a digital input, to wait for or to guard a motion by.
 ///
-/// An edge is seen between two packets. One that is gone again before the next packet comes, some 30 to 100 ms later,
-/// is missed.
+/// An edge is seen between two packets. An edge that reverts before the next packet, some 30 to 100 ms later, is
+/// missed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InputCondition(pub(crate) InputTest);
 

@@ -13,10 +13,10 @@ pub trait MotionExt: Motion {
     /// or the guard has tripped; a guard that trips stops the arm. [`Guard`] describes its reach and its limits: it is
     /// **not a safety function**.
     ///
-    /// A guard that has tripped before the motion goes out, such as by an input that has the level already, sends
-    /// nothing ([`GuardTrip::is_before_start`](crate::GuardTrip::is_before_start)). The stop is written by the thread
-    /// that reads the packet, or, where it would have to wait, by one of its own, also while the reply to the motion is
-    /// waited for. If the guard tripped, the arm is then waited for until it rests, for 2 s at most.
+    /// A guard that has tripped before the motion is sent, for example by an input that already has the level, sends
+    /// nothing ([`GuardTrip::is_before_start`](crate::GuardTrip::is_before_start)). The thread that reads the packet
+    /// writes the stop, or, if it would have to wait, a separate one, also during the wait for the reply to the motion.
+    /// After a trip, the call waits until the arm rests, for 2 s at most.
     ///
     /// Motions that were started before are ended by the stop, too, but not by a guard that trips before this motion
     /// has gone out: wait for them first.

@@ -88,12 +88,11 @@ impl StreamConfig {
     /// [`ErrorKind::NotGuarded`] (too few packets have come to know their period).
     ///
     /// # A limit of force
-    /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The tool is never faster than with a speed that
-    /// uses up the overtravel in the time for which it goes on unbraked and 0.05 s (ours), and from each set-point on
-    /// it lands within the rest of the overtravel. So it is on the way to any target; a velocity of the tool that is
-    /// faster is refused, with that speed as the limit
-    /// ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). It lands also if packets stay away
-    /// for three of their periods, 100 ms at least.
+    /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The speed of the tool never uses more than the
+    /// overtravel in the time without braking and 0.05 s (ours), and from each set-point on the tool lands within the
+    /// rest of the overtravel. This holds for any target; a faster velocity of the tool is refused, with that speed as
+    /// the limit ([`Generator::with_tool_stop`](jaka_motion::Generator::with_tool_stop)). The stream also lands if
+    /// packets stay away for three of their periods, 100 ms at least.
     pub fn guard(mut self, guard: impl Into<Guard>) -> Self {
         self.guard = Some(guard.into());
         self
@@ -116,11 +115,11 @@ impl StreamConfig {
 /// [`StreamConfig::dynamics`] and the robot's limits, for any targets at any rate, and sends it as `servo_j` (4.15).
 /// [`Generator`](jaka_motion::Generator) states its guarantees for the set-points.
 ///
-/// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), a
-/// status that is no longer known, joints that do not follow their set-points. After a set-point that is three periods
-/// late at speed nothing brakes. The section "Landing" of [`ServoSession`](crate::ServoSession) holds here, but the arm
-/// is braked by a stop, within its jerks, too. If this thread is held up, the stream goes on: a velocity ends after the
-/// time for which it was given.
+/// A stream ends by a landing: [`land`](Self::land), a drop, also in a panic, a [`RobotStop`](crate::RobotStop), an
+/// unknown status, joints that do not follow their set-points. After a set-point that is three periods late at speed
+/// nothing brakes. The section "Landing" of [`ServoSession`](crate::ServoSession) applies, but a stream brakes the arm
+/// by a stop within its jerks, too. If the program's thread is held up, the stream continues: a velocity ends after its
+/// given time.
 ///
 /// ```no_run
 /// use std::time::Duration;

@@ -14,25 +14,25 @@ use crate::{Error, NotGuarded, NotShown, Snapshot};
 /// A change of the contact force since shortly before the start of a motion, in either direction, by which the motion
 /// is stopped.
 ///
-/// The force is that of [`TorqueSensorState::contact_force`](crate::status::TorqueSensorState::contact_force), compared
-/// with the newest packet when the guard is armed; the motion goes out a moment later, after packets that may have come
-/// meanwhile. The sensor must report that it works and no error, before the motion and in each packet. Of the six
-/// values the document states neither units nor order nor axes: taken are fx, fy, fz, tx, ty, tz, N and Nm, as of
-/// `set_compliance_condition` (4.71, vendor's texts). The vendor's English page has them hold once the sensor is
-/// initialised; packets do not tell whether it is. Push against the tool by hand and look at packets before anything
-/// relies on it.
+/// The force is [`TorqueSensorState::contact_force`](crate::status::TorqueSensorState::contact_force), compared with
+/// the newest packet at the arming of the guard; the motion is sent a moment later, and packets may come meanwhile. The
+/// sensor must report that it works and no error, before the motion and in each packet. The document states neither
+/// units nor order nor axes of the six values: this SDK takes them to be fx, fy, fz, tx, ty, tz, N and Nm, as in
+/// `set_compliance_condition` (4.71, vendor's texts). By the vendor's English page they are valid once the sensor is
+/// initialised; packets do not show that. Push against the tool by hand and look at packets before anything relies on
+/// it.
 ///
-/// **The speed of the motion is bounded**, since a contact is known only late. Until the arm rests, it goes on for a
+/// **The speed of the motion is bounded**, since a contact is known late. Until the arm rests, the tool moves on for a
 /// period of the packets, for a reaction, and for its braking: `speed * (period + reaction) + speed² / (2 * braking)`.
 /// This distance must not be longer than the overtravel, 1 mm by default. The period is the longest time between two of
-/// the last 33 packets. A motion that is faster is not sent, and neither is one whose tool speed or braking is not
-/// known: it has to be a `move_l` or `move_c` with an acceleration, from rest. All of it is about the tool centre
-/// point; other points of a tool that turns may be faster.
+/// the last 33 packets. A faster motion is not sent, nor one with an unknown tool speed or braking: it must be a
+/// `move_l` or `move_c` with an acceleration, from rest. All of it applies to the tool centre point; other points of a
+/// turning tool may be faster.
 ///
-/// Trajectories, and streams (feature `stream`), are bounded by their set-points: the tool goes on for a period of the
-/// packets, the reaction and two servo periods, and then on the path on which the set-points brake it, whatever
-/// [`braking`](Self::braking) says. See `FollowConfig::guard` and `StreamConfig::guard` for the rules. The lag of such
-/// an arm behind its set-points, and a servo filter, belong to the reaction: `End::lag` measures the lag.
+/// Trajectories, and streams (feature `stream`), are bounded by their set-points: the tool moves on for a period of the
+/// packets, the reaction and two servo periods, and then along the path on which the set-points brake it, independent
+/// of [`braking`](Self::braking). See `FollowConfig::guard` and `StreamConfig::guard` for the rules. The lag of such an
+/// arm behind its set-points, and a servo filter, are parts of the reaction: `End::lag` measures the lag.
 ///
 /// | packets each | reaction | braking | permitted with 1 mm |
 /// |---|---|---|---|
@@ -109,10 +109,10 @@ impl ForceLimit {
         self
     }
 
-    /// Sets the time from a packet's arrival to the begin of the braking. The default of 20 ms is ours: well below 1 ms
-    /// until the stop is written, a cycle of the controller of 8 ms, and the rest for the network. With set-points, the
-    /// lag of the arm behind them is a part of it, which is longer with a filter. More than one minute is an
-    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
+    /// Sets the time from a packet's arrival to the beginning of the braking. The default of 20 ms is ours: well below
+    /// 1 ms until the stop is written, a cycle of the controller of 8 ms, and the rest for the network. With
+    /// set-points, the lag of the arm behind them is a part of it, which is longer with a filter. More than one minute
+    /// is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn reaction(mut self, time: Duration) -> Self {
         self.reaction = time;
         self

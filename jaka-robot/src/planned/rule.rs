@@ -1,13 +1,12 @@
 //! Rule for the end of a motion: a state machine over status packets and the controller's own answers.
 //!
-//! A status packet cannot show its age, so it never says alone that a motion has ended: a stalled link delivers old
-//! ones. Packets that speak against a motion (stops, errors, a disabled arm) are believed at once. A packet that shows
-//! the arm in position only leads to a query, whose answer is later than the motion's acceptance.
+//! A status packet cannot show its age, so it never ends a motion alone: a stalled link delivers old packets. Packets
+//! that speak against a motion (stops, errors, a disabled arm) count at once. A packet that shows the arm in position
+//! only leads to a query, whose answer is later than the motion's acceptance.
 //!
 //! One answer at the target, or two that agree near it, are enough for one motion that was seen to leave: the arm is
-//! there only at the end. Two, because the movement that was seen may have been that of the motion before. In all other
-//! cases (several motions, a motion without length, an arm that rests elsewhere) the answers must agree for a grace
-//! time.
+//! there only at the end. Two, because the observed movement may belong to the previous motion. In all other cases
+//! (several motions, a motion without length, an arm at rest elsewhere) the answers must agree for a grace time.
 
 use std::collections::VecDeque;
 use std::sync::Arc;

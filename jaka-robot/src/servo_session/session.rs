@@ -32,46 +32,46 @@ use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 ///
 /// # Entering
 /// [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode) fails with [`ErrorKind::NotReady`] while the arm moves
-/// or a motion of the robot has not been waited for, while servo mode is on already, and where the controller
+/// or the program has not waited for the end of a motion, if servo mode is on already, and if the controller
 /// acknowledges servo mode and does not enter it; with [`ErrorKind::NotAcknowledged`] after a stop, with
-/// [`ErrorKind::StatusUnknown`] where the status is stale, missing or unreadable, with [`ErrorKind::InvalidOption`] for
-/// a configuration with a value that it does not take, and as [`Client::call`](crate::Client::call). If something fails
-/// after servo mode was asked for, it is left again; [`ErrorKind::ServoModeNotLeft`] where it is not known that it was.
+/// [`ErrorKind::StatusUnknown`] if the status is stale, missing or unreadable, with [`ErrorKind::InvalidOption`] for an
+/// invalid value of the configuration, and as [`Client::call`](crate::Client::call). After a failure, the session
+/// leaves servo mode again; [`ErrorKind::ServoModeNotLeft`] if that is not confirmed.
 ///
 /// # Set-points
-/// Each is compared with the ones before, by its nominal period, as the controller does (4.15): a joint may not be
-/// faster than 180 deg/s, and [`SessionConfig`](crate::SessionConfig) says how fast speeds may change. Set-points of
+/// Each set-point is compared with the previous ones, by its nominal period, as the controller does (4.15): a joint may
+/// not be faster than 180 deg/s, and [`SessionConfig`](crate::SessionConfig) limits the change of speeds. Set-points of
 /// poses are compared with each other. The first step is from standstill. A set-point that is late by a period or more
-/// delays all later ones, and none is skipped. From poses to absolute joint positions there is no way without limits,
-/// since it is not known how far it is. [`SessionConfig::unchecked`](crate::SessionConfig::unchecked) turns these
+/// delays all later ones, and none is skipped. Without limits, a change from poses to absolute joint positions is
+/// refused, since its distance is not known. [`SessionConfig::unchecked`](crate::SessionConfig::unchecked) turns these
 /// checks off.
 ///
 /// # Late set-points
-/// A set-point that is late by three periods or more follows a gap: the controller had no set-point when one was due.
-/// No source says what an arm does then; three periods are ours. If each joint was slower than its acceleration limit
-/// times one period, the arm is taken to stand: the session goes on, and the step is compared with standstill.
-/// Otherwise the session ends with [`ErrorKind::SetPointLate`], sends no set-points that brake, since the motion that
-/// they would brake is over, and holds the last one. [`report`](Self::report) has the lateness. On a machine that does
-/// other work, give the thread `ServoConfig::realtime_priority`.
+/// A set-point that is late by three periods or more follows a gap: the controller had no set-point at a due time. No
+/// source states the reaction of an arm; three periods are ours. If each joint was slower than its acceleration limit
+/// times one period, the session assumes that the arm rests: it continues, and compares the step with standstill.
+/// Otherwise the session ends with [`ErrorKind::SetPointLate`]. It then sends no set-points that brake, since the
+/// motion to brake is over, and holds the last one. [`report`](Self::report) has the lateness. On a machine with other
+/// work, give the thread `ServoConfig::realtime_priority`.
 ///
 /// # Landing
-/// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stand still at
-/// once: the last set-point before a missing one at 175 deg/s is a braking of 21,900 deg/s². So every session ends by a
-/// landing, whatever ends it: the call that fails, [`land`](Self::land), a drop, a panic, a
-/// [`RobotStop`](crate::RobotStop), a status that is no longer known. The arm is braked straight on, all joints in
-/// proportion, with the acceleration of [`ServoConfig`] or, if the robot has limits, of these. Then the last set-point
-/// is held until status packets show the arm at rest there ([`ServoConfig::rest_timeout`]), and servo mode is left. A
-/// stop of the program's own brakes, and then sends `stop_program`.
+/// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stop at once: a
+/// missing set-point after the last one at 175 deg/s is a braking of 21,900 deg/s². So every session ends by a landing,
+/// for any cause: the call that fails, [`land`](Self::land), a drop, a panic, a [`RobotStop`](crate::RobotStop), an
+/// unknown status. The session brakes the arm straight on, all joints in proportion, with the acceleration of
+/// [`ServoConfig`] or, if the robot has limits, of these. Then it holds the last set-point until status packets show
+/// the arm at rest there ([`ServoConfig::rest_timeout`]), and leaves servo mode. A stop by the program itself brakes
+/// first, and then sends `stop_program`.
 ///
 /// A protective stop, an emergency stop and a lost or stalled connection end the session at once, without a landing. No
-/// source says how an arm behaves that is at speed then, or whose program is killed.
+/// source states the behaviour of an arm at speed then, or after the program is killed.
 ///
 /// # A link that stalls
-/// If set-points are no longer answered ([`ServoConfig::max_unanswered`]), no more are sent: servo mode is left, and
-/// the call fails with [`ErrorKind::SetPointsUnanswered`]. If the end of servo mode is not answered within a second,
-/// the connection is reset, which discards the set-points that the system has not sent, and the error is
-/// [`ErrorKind::ServoModeNotLeft`]. Set-points that the network or the controller has taken already may still move the
-/// arm: at most those that were unanswered.
+/// If set-points stay unanswered ([`ServoConfig::max_unanswered`]), the session sends no more: it leaves servo mode,
+/// and the call fails with [`ErrorKind::SetPointsUnanswered`]. If the end of servo mode is not answered within a
+/// second, the session resets the connection, which discards the set-points that the system has not sent, and the error
+/// is [`ErrorKind::ServoModeNotLeft`]. Set-points that the network or the controller already has may still move the
+/// arm: at most the unanswered ones.
 ///
 /// ```no_run
 /// # use jaka_robot::{Robot, ServoConfig};
