@@ -1,4 +1,4 @@
-//! Errors, their kinds, the messages that led to them, and ends of motions.
+//! Errors, their kinds, the last messages before them, and ends of motions.
 
 mod end;
 mod kind;

@@ -45,11 +45,11 @@ use crate::inputs::{AnalogCondition, InputCondition};
 ///
 /// # Reach and limits
 /// **A guard is not a safety function**, and no fence. It reacts to status packets, which come each 30 ms (firmware
-/// 1.5.14) to 100 ms, and which do not tell how old they are. From an event until the arm rests it takes
+/// 1.5.14) to 100 ms and do not show their age. From an event until the arm rests it takes
 /// - up to a period of the packets, until one shows it, and however long the network holds that packet;
 /// - the reaction: from the packet's arrival until the stop is written, usually well below 1 ms
 ///   ([`GuardTrip::reaction`] has it), then the network, and the controller until it acts on `stop_program`;
-/// - the braking, of which no source says how the controller does it.
+/// - the braking, which no source describes.
 ///
 /// A state that packets show for less than a period can be missed. A packet that does not show a fact that the guard
 /// needs trips it, too, and so does a question that panics: unknown is not good. If packets stay away for

@@ -21,10 +21,10 @@ pub trait MotionExt: Motion {
     /// Motions that were started before are ended by the stop, too, but not by a guard that trips before this motion
     /// has gone out: wait for them first.
     ///
-    /// Since nobody judges the guard after the run, the arm is stopped in each way out in which it may still move: at
-    /// the deadline, when the command connection is lost, which no stop passes any more, when the status is lost or
-    /// stale ([`Config::stale_after`](crate::Config::stale_after)), after an error of the controller.
-    /// [`End::stop`](crate::End::stop) tells whether the stop was accepted.
+    /// Since nothing evaluates the guard after the run, the arm is stopped at each end of the run at which it may still
+    /// move: at the deadline, after the loss of the command connection (which no stop can pass), after a lost or stale
+    /// status ([`Config::stale_after`](crate::Config::stale_after)), and after an error of the controller.
+    /// [`End::stop`](crate::End::stop) says whether the stop was accepted.
     ///
     /// ```no_run
     /// use std::time::Duration;
@@ -40,14 +40,14 @@ pub trait MotionExt: Motion {
     /// ```
     ///
     /// # Errors of the run
-    /// Where the motion may have run, the arm was stopped, and [`ErrorKind::NotStopped`](crate::ErrorKind::NotStopped)
-    /// says if the controller has not accepted that. Nothing was sent after
-    /// [`ErrorKind::NotShown`](crate::ErrorKind::NotShown) (packets do not show what the guard needs),
+    /// If the motion may have run, the arm was stopped, and [`ErrorKind::NotStopped`](crate::ErrorKind::NotStopped)
+    /// says that the controller has not accepted the stop. Nothing was sent after
+    /// [`ErrorKind::NotShown`](crate::ErrorKind::NotShown) (packets lack the values of the guard),
     /// [`ErrorKind::NotGuarded`](crate::ErrorKind::NotGuarded) (a [`ForceLimit`](crate::ForceLimit) permits less
     /// speed), [`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown), also with
     /// [`allow_motion_without_status`](crate::RobotConfig::allow_motion_without_status),
-    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) (a condition has a value that it does not take),
-    /// and [`ErrorKind::Thread`](crate::ErrorKind::Thread).
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) (an invalid value of a condition), and
+    /// [`ErrorKind::Thread`](crate::ErrorKind::Thread).
     fn guard(self, guard: impl Into<Guard>) -> Guarded<Self>
     where
         Self: Sized,

@@ -28,8 +28,8 @@ use crate::arm::{ArmState, StatusPort};
 /// Displayed as a table, with the points to look at [at the pendant](Self::AT_THE_PENDANT) and the limits of the
 /// verdicts.
 ///
-/// With the feature `serde` it is written as its `verdict`, its `findings` (`item`, `verdict`, `seen` and `advice`),
-/// the points `at_the_pendant` (`item` and `what`), and the `note`.
+/// With the feature `serde`, its form is `verdict`, `findings` (`item`, `verdict`, `seen` and `advice`),
+/// `at_the_pendant` (`item` and `what`), and `note`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[must_use = "a check changes nothing: what it found is all that it does"]
 pub struct Preflight {

@@ -21,7 +21,7 @@ pub struct Report {
     /// Time for which the end was waited for; of set-points, the time since servo mode was entered.
     #[cfg_attr(feature = "serde", serde(rename = "waited_s", serialize_with = "form::seconds"))]
     pub waited: Duration,
-    /// Set-points sent, without those of the landing.
+    /// Number of set-points sent, without the landing.
     pub cycles: u64,
     /// Set-points sent more than half a period late.
     pub late_cycles: u64,

@@ -157,7 +157,7 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model,
-    /// [`ErrorKind::InvalidOption`] if the limits have a preset that wants collision detection and it is off, and as
+    /// [`ErrorKind::InvalidOption`] if a preset of the limits requires collision detection and it is off, and as
     /// [`Client::call`]; nothing has changed then.
     pub fn configure(&mut self, config: &RobotConfig) -> Result<(), Error> {
         if let Some(limits) = &config.limits {
@@ -243,9 +243,8 @@ impl<S: MotionStatus> Robot<S> {
     /// Sends a motion and waits for its end; [under a guard](crate::MotionExt::guard) also for its trip.
     ///
     /// # Errors
-    /// As [`start`](Self::start), but the reply is waited for no longer than `timeout`. All that happens after the
-    /// motion was accepted is reported by the [`End`]. Under a guard also as
-    /// [`MotionExt::guard`](crate::MotionExt::guard) says.
+    /// As [`start`](Self::start), with a wait for the reply of at most `timeout`. The [`End`] reports everything after
+    /// the acceptance of the motion. Under a guard also the errors of [`MotionExt::guard`](crate::MotionExt::guard).
     #[doc(alias = "joint_move")]
     #[doc(alias = "linear_move")]
     #[doc(alias = "move_c")]
@@ -359,11 +358,10 @@ impl<S: MotionStatus> Robot<S> {
     /// ```
     ///
     /// # Errors
-    /// After `timeout` [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout), which tells what the last packet says of
-    /// the input. At once [`ErrorKind::NotShown`] if a packet does not show the input, [`ErrorKind::WaitEnded`] if
-    /// packets stay away, come again after a silence, cannot be read, or their connection is lost,
-    /// [`ErrorKind::CommandsLost`] if the command connection is lost, and [`ErrorKind::InvalidOption`] for a number 0
-    /// that is counted from 1.
+    /// After `timeout` [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout), with the input in the last packet. At once
+    /// [`ErrorKind::NotShown`] if a packet does not show the input, [`ErrorKind::WaitEnded`] if packets stay away, come
+    /// again after a silence, cannot be read, or their connection is lost, [`ErrorKind::CommandsLost`] if the command
+    /// connection is lost, and [`ErrorKind::InvalidOption`] for a number 0 that is counted from 1.
     pub fn wait_for_input(&self, condition: InputCondition, timeout: Duration) -> Result<Arc<Snapshot>, Error> {
         wait_for(&self.arm, &condition.into(), timeout)
     }
@@ -446,12 +444,11 @@ impl<S: MotionStatus> Robot<S> {
     /// controller, independent of earlier comparisons; also if the limits' policy is only to warn.
     ///
     /// # Errors
-    /// Nothing moves the arm then. As [`ServoSession`](crate::ServoSession) says at "Entering";
+    /// Nothing moves the arm after an error. The errors of [`ServoSession`](crate::ServoSession), at "Entering";
     /// [`ErrorKind::NotChecked`] if the robot has no limits, [`ErrorKind::NotShown`] if packets do not show the joints,
-    /// [`ErrorKind::Trajectory`] if the trajectory is beyond one, [`ErrorKind::NotAtStart`] if it starts elsewhere than
-    /// where the controller's own answer says that the joints are to be, [`ErrorKind::BeyondLimit`] if the straight way
-    /// in joint space to its start is beyond a limit, [`ErrorKind::InvalidOption`] if the configuration has a value
-    /// that it does not take.
+    /// [`ErrorKind::Trajectory`] if the trajectory is beyond a limit, [`ErrorKind::NotAtStart`] if its start is not at
+    /// the commanded joints by the controller's own answer, [`ErrorKind::BeyondLimit`] if the straight path in joint
+    /// space to its start is beyond a limit, [`ErrorKind::InvalidOption`] for an invalid value of the configuration.
     pub fn start_follow(&mut self, trajectory: &Trajectory, config: &FollowConfig) -> Result<FollowRun<'_>, Error> {
         FollowRun::begin(self.led(), trajectory, config)
     }
@@ -464,11 +461,10 @@ impl<S: MotionStatus> Robot<S> {
     /// It begins at rest, at the commanded joints by the controller's own answer.
     ///
     /// # Errors
-    /// As [`ServoSession`](crate::ServoSession) says at "Entering"; [`ErrorKind::NotChecked`] if the robot has no
-    /// limits, by which a stream knows the arm, [`ErrorKind::NotShown`] if packets do not show the joints, by which it
-    /// is known whether they follow, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
-    /// [`ErrorKind::InvalidOption`] if the configuration has a value that it does not take, such as dynamics beyond the
-    /// limits.
+    /// The errors of [`ServoSession`](crate::ServoSession), at "Entering"; [`ErrorKind::NotChecked`] if the robot has
+    /// no limits, which describe the arm to a stream, [`ErrorKind::NotShown`] if packets do not show the joints, which
+    /// the stream compares with its set-points, [`ErrorKind::BeyondLimit`] if the arm is beyond a limit, and
+    /// [`ErrorKind::InvalidOption`] for an invalid value of the configuration, such as dynamics beyond the limits.
     pub fn stream(&mut self, config: &StreamConfig) -> Result<Stream<'_>, Error> {
         Stream::begin(self.led(), config)
     }

@@ -45,7 +45,7 @@ pub struct ServoConfig {
     realtime_priority: Option<u8>,
 }
 
-/// Arm that a session leads, and the limits by which its set-points are checked.
+/// Arm of a session, and the limits that check its set-points.
 #[derive(Debug)]
 pub(crate) struct LedArm<'r> {
     pub(crate) arm: &'r mut Arm,
@@ -54,7 +54,7 @@ pub(crate) struct LedArm<'r> {
     pub(crate) has_motions: bool,
 }
 
-/// Arm that a session leads, for a thread of its own.
+/// Arm of a session in a separate thread.
 #[derive(Debug)]
 pub(crate) struct LentArm {
     pub(crate) arm: Arm,
@@ -115,14 +115,14 @@ impl ServoConfig {
         self
     }
 
-    /// Sets how long the controller may take to enter servo mode. 5 s by default.
+    /// Sets the longest time until the controller enters servo mode. 5 s by default.
     pub fn enter_timeout(mut self, timeout: Duration) -> Self {
         self.enter_timeout = timeout;
         self
     }
 
-    /// Sets how long before each set-point the thread spins instead of sleeping, which is more exact and takes CPU
-    /// time. Zero by default; 200 µs suit a usual Linux system.
+    /// Sets the time before each set-point in which the thread spins instead of sleeping, which is more exact and takes
+    /// CPU time. Zero by default; 200 µs suit a usual Linux system.
     pub fn busy_wait(mut self, time: Duration) -> Self {
         self.busy_wait = time;
         self
@@ -132,11 +132,10 @@ impl ServoConfig {
     /// 99; another is an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption). By default it keeps its own.
     /// Needs the feature `realtime`, and Linux.
     ///
-    /// Then only the system and threads of this or a higher real-time priority keep it from its core. 20 suits where
-    /// there are no others: from 50 on it would go before what a real-time kernel (`PREEMPT_RT`) does for the network.
-    /// Of a [`ServoSession`] it is the caller's thread, which also computes the set-points, and holds its core for as
-    /// long as it computes; of a `Stream` it is the stream's own. All others keep theirs, but threads that are started
-    /// by this one meanwhile inherit it.
+    /// Then only the system and threads of this or a higher real-time priority can take its core. 20 suits a machine
+    /// without others: from 50 on it would precede the work of a real-time kernel (`PREEMPT_RT`) for the network. A
+    /// [`ServoSession`] has the caller's thread, which also computes the set-points and holds its core meanwhile; a
+    /// `Stream` has its own. Other threads keep their priority, but threads started by this one meanwhile inherit it.
     ///
     /// The session must stay in the thread that has entered it: if it ends in another, the first one keeps the
     /// priority. If the system does not allow the priority, entering fails with
@@ -147,17 +146,17 @@ impl ServoConfig {
         self
     }
 
-    /// Sets how many set-points may be unanswered, as the time that they take: 100 ms by default, and at least three
-    /// set-points.
+    /// Sets the greatest number of unanswered set-points, as the time of their periods: 100 ms by default, and at least
+    /// three set-points.
     ///
-    /// With more, the session ends. It is also how far the arm may still move if the link stalls.
+    /// With more, the session ends. The arm may still move for this time if the link stalls.
     pub fn max_unanswered(mut self, time: Duration) -> Self {
         self.max_unanswered = time;
         self
     }
 
-    /// Sets how long the last set-point is held when a session ends, if no status packet shows the arm at rest there: 1
-    /// s by default.
+    /// Sets the time for which the session holds the last set-point at its end, if no status packet shows the arm at
+    /// rest there: 1 s by default.
     pub fn rest_timeout(mut self, timeout: Duration) -> Self {
         self.rest_timeout = timeout;
         self
@@ -190,8 +189,8 @@ impl ServoConfig {
         self.realtime_priority.map(RealtimePriority::take).transpose()
     }
 
-    /// Waits for cycles as a [`ServoSession`](super::ServoSession) does, for as long as this, and returns how late each
-    /// of them began. Sends nothing: it is about this machine alone.
+    /// Waits for cycles as a [`ServoSession`](super::ServoSession) does, for this time, and returns the lateness of
+    /// each. Sends nothing: it measures this machine alone.
     ///
     /// At least one cycle, in the calling thread, with the period, the [`busy_wait`](Self::busy_wait) and the real-time
     /// priority of this configuration. `jaka jitter` prints it.

@@ -84,8 +84,8 @@ impl StreamConfig {
     /// and its limits: it is **not a safety function**.
     ///
     /// Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`] (the guard trips by the newest packet
-    /// already), [`ErrorKind::NotShown`] (packets do not show what it needs), [`ErrorKind::StatusUnknown`], and
-    /// [`ErrorKind::NotGuarded`] (too few packets have come to know their period).
+    /// already), [`ErrorKind::NotShown`] (packets lack its values), [`ErrorKind::StatusUnknown`], and
+    /// [`ErrorKind::NotGuarded`] (the period of packets is not known yet).
     ///
     /// # A limit of force
     /// Under a [`ForceLimit`](crate::ForceLimit) the stream is slow. The speed of the tool never uses more than the

@@ -64,7 +64,7 @@ impl Explanation {
         }
     }
 
-    /// Remedy: that of the cause, or of the controller's event.
+    /// Remedy: the cause's, or the one of the controller's event.
     pub fn remedy(&self) -> Remedy {
         match self {
             Self::Event(event) => Remedy::for_event(Some(*event)),

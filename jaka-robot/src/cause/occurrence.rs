@@ -118,7 +118,7 @@ impl Occurrence {
         }
     }
 
-    /// Remedy: that of the cause, of the controller's event, or of the trip of a guard.
+    /// Remedy: the cause's, or the one of the controller's event or of the guard's trip.
     pub(crate) fn remedy(&self) -> Remedy {
         match &self.evidence {
             Evidence::Trip(trip) => trip.remedy(),

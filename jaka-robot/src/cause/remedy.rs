@@ -32,7 +32,7 @@ jaka_proto::worded! {
         WaitOrStop => "wait for its end, or stop it",
         /// Look at the arm before it moves again.
         LookAtArm => "look at the arm, then call `acknowledge`",
-        /// Select the frames for which the motion is meant.
+        /// Select the frames of the motion.
         SelectFrames =>
             "find out who has changed it, and select the frames for which the motion is meant (`set_tool_id`, \
              `set_user_id`)",

@@ -34,8 +34,8 @@ pub struct GuardTrip {
     pub is_before_start: bool,
     /// True if the arm was then seen at rest, by two answers of the controller that agree.
     pub is_at_rest: bool,
-    /// Lag of the arm behind its set-points, where the condition that tripped is a [`ForceLimit`](crate::ForceLimit)
-    /// and its reaction is shorter, or perhaps shorter, than the lag: the tool may have gone on for longer than the
+    /// Lag of the arm behind its set-points, if the tripped condition is a [`ForceLimit`](crate::ForceLimit) whose
+    /// reaction is shorter, or perhaps shorter, than the lag: the path of the tool may have been longer than the
     /// overtravel. Measured in streams and trajectories under such a limit.
     pub lag: Option<LagBeyondReaction>,
 }

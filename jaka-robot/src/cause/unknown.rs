@@ -171,8 +171,8 @@ jaka_proto::worded! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum Unchecked {
-        /// The start is not known: the arm moves, or the motion follows one whose end was not known. Wait for the end
-        /// of all motions.
+        /// The start is not known: the arm moves, or the motion follows one with an unknown end. Wait for the end of
+        /// all motions.
         Start => "the start of the motion is not known",
         /// The request does not determine the end of the motion, such as an arc by offsets or a relative motion with a
         /// rotation. Give an absolute target.

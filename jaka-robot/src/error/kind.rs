@@ -104,8 +104,8 @@ jaka_proto::worded! {
             trip: Arc<GuardTrip>,
         } => (with_fact(trip.cause(), trip.to_string())),
         /// Status packets show another tool frame or user frame than at the start, and the set-points depend on them: a
-        /// stream or a trajectory has landed, and a servo session, too, unless its last set-points were poses whose
-        /// joint positions are not known ([`NotLanded`](Self::NotLanded)).
+        /// stream or a trajectory has landed, and a servo session, too, unless the joint positions of its last poses
+        /// are not known ([`NotLanded`](Self::NotLanded)).
         FramesChanged {
             /// Frames at the start, and those in the packet.
             change: FrameChange,

@@ -64,10 +64,10 @@ impl FollowConfig {
     /// the packet. [`Guard`] describes its reach and its limits: it is **not a safety function**.
     ///
     /// Nothing that moves the arm was sent after [`ErrorKind::GuardTripped`](crate::ErrorKind::GuardTripped) (the guard
-    /// trips by the newest packet already), [`ErrorKind::NotShown`](crate::ErrorKind::NotShown) (packets do not show
-    /// what it needs), [`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown), and
-    /// [`ErrorKind::NotGuarded`](crate::ErrorKind::NotGuarded) (a [`ForceLimit`](crate::ForceLimit) permits less speed:
-    /// it says where, and how much).
+    /// trips by the newest packet already), [`ErrorKind::NotShown`](crate::ErrorKind::NotShown) (packets lack its
+    /// values), [`ErrorKind::StatusUnknown`](crate::ErrorKind::StatusUnknown), and
+    /// [`ErrorKind::NotGuarded`](crate::ErrorKind::NotGuarded) (a [`ForceLimit`](crate::ForceLimit) permits less speed;
+    /// the error has the place and the speed).
     ///
     /// # A limit of force
     /// Under a [`ForceLimit`](crate::ForceLimit) the arm is braked also

@@ -108,7 +108,7 @@ impl<'o> Way<'o> {
                 (Some(error), has_left_curve)
             }
         };
-        // Trajectory time stands still for any last set-points.
+        // Trajectory time stands still, for any last set-points.
         self.orders.followed(self.follower.time_s(), 0.0);
         let occurrence = match &error {
             Some(error) => error.occurrence(),
@@ -154,8 +154,8 @@ impl<'o> Way<'o> {
         (error, is_off && is_straight_on)
     }
 
-    /// Looks whether braking along the curve takes not much longer than in so many periods, in which braking straight
-    /// on is done, and no longer than a stop waits, if one does.
+    /// True if braking along the curve takes not much longer than straight braking in so many periods, and no longer
+    /// than a stop waits, if one does.
     fn look_ahead(&self, straight_on: u32, left: Option<Duration>) -> LookAhead {
         let most = straight_on.saturating_mul(2).saturating_add(self.periods_in(MORE_S));
         let most = left.map_or(most, |left| most.min(self.periods_in(left.saturating_sub(SPARE).as_secs_f64())));

@@ -93,7 +93,7 @@ impl FollowHandle {
         self.orders.ended().is_some()
     }
 
-    /// End of a run whose thread has panicked, which ends the session straight on.
+    /// End of a run after a panic of its thread; the session is braked straight on.
     pub(super) fn lost(&self, error: Error) -> End {
         let progress = self.progress();
         let trajectory = TrajectoryReport {

@@ -51,7 +51,7 @@ fn one(limits: &Limits, dh: Option<&GetDhParamReply>, commands: &mut Commands<'_
     }
 }
 
-/// All published models. Arms of one size, which differ in what a tool or a mounting can take up, agree at once.
+/// All published models. Several models of one size agree at once if a tool or a mounting can make up their difference.
 fn published(dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> Found {
     let pairs = answered(commands)?;
     let fits = |model| Some((Limits::of(model), model.fit(&pairs, Tolerance::default()).ok()?.frames));

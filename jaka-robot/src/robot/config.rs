@@ -43,8 +43,8 @@ use crate::planned::Grace;
 /// do not fit together, a frame has changed, and it queries the poses again.
 ///
 /// # Presets
-/// With [`Preset::Usual`](jaka_motion::Preset::Usual) and [`Preset::Quick`](jaka_motion::Preset::Quick) the controller
-/// is also asked for its payload (4.43), which is logged, and for its collision level (4.45), which must not be 0: see
+/// With [`Preset::Usual`](jaka_motion::Preset::Usual) and [`Preset::Quick`](jaka_motion::Preset::Quick) the robot also
+/// queries the payload (4.43), which it logs, and the collision level (4.45), which must not be 0: see
 /// [`without_payload`](Self::without_payload) and [`without_collision_detection`](Self::without_collision_detection).
 #[derive(Debug, Clone)]
 #[must_use = "a configuration does nothing until a robot is configured by it"]
@@ -76,9 +76,9 @@ impl RobotConfig {
         Self::default()
     }
 
-    /// Sets the time for which the arm must be seen at rest, and the number of packets that must show it, if one answer
-    /// of the controller is not enough to say that the motion has ended: for several motions in a queue, a motion that
-    /// ends where it began, an arm that stops before its target. 0.4 s and three packets by default.
+    /// Sets the time of rest, and the number of packets that must show it, for the end of a motion that one answer of
+    /// the controller does not confirm: several motions in a queue, a motion that ends at its start, an arm that stops
+    /// before its target. 0.4 s and three packets by default.
     ///
     /// It is also the time within which the arm must begin: if it has not left its position by then, the motion counts
     /// as one without length, or, if its target is known and the arm is not there, as stopped.
@@ -87,7 +87,7 @@ impl RobotConfig {
         self
     }
 
-    /// Sets how long no status packet may come while a motion is waited for. 2 s by default.
+    /// Sets the longest time without a status packet during a wait for a motion. 2 s by default.
     pub fn status_silence(mut self, time: Duration) -> Self {
         self.silence = time;
         self
@@ -108,8 +108,8 @@ impl RobotConfig {
         self
     }
 
-    /// Sets what happens to a motion that is beyond a limit, or cannot be checked. It is refused by default. A
-    /// controller that has come to compute other poses than the limits' model is an error all the same
+    /// Sets the policy for a motion that is beyond a limit, or cannot be checked. It is refused by default. If the
+    /// controller's poses have changed from the limits' model, that is an error in any case
     /// ([`ErrorKind::ModelMismatch`](crate::ErrorKind::ModelMismatch)).
     pub fn limit_policy(mut self, policy: LimitPolicy) -> Self {
         self.policy = policy;

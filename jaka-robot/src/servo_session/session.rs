@@ -126,10 +126,9 @@ impl ServoSession<'_> {
     /// Waits for the next cycle and sends a set-point for all joints.
     ///
     /// # Errors
-    /// The session has ended after each of them, and the arm was braked unless the text says otherwise or the
-    /// controller refused: it follows no more set-points then, those that brake included;
-    /// [`ErrorKind::ServoModeNotLeft`] if servo mode may be on, [`ErrorKind::RestNotSeen`] if the arm was not seen at
-    /// rest.
+    /// After each of these errors the session has ended, and the arm was braked, unless the text says otherwise or the
+    /// controller refused: then it follows no more set-points, not even for braking; [`ErrorKind::ServoModeNotLeft`] if
+    /// servo mode may be on, [`ErrorKind::RestNotSeen`] if the arm was not seen at rest.
     /// - [`InvalidArgument`](jaka_sync::ErrorKind::InvalidArgument): a joint would have to be too fast, or to become so
     ///   too soon. The set-point was not sent.
     /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. The set-point was not sent.
@@ -182,8 +181,8 @@ impl ServoSession<'_> {
     /// Calls `next` before each cycle, with the cycle's time and the last status, and sends the joints that it returns,
     /// until it returns `Break`.
     ///
-    /// The time is that of the set-points, [`time`](Self::time), not of the clock: a late cycle delays a motion that is
-    /// a function of it.
+    /// The time counts set-points, [`time`](Self::time), and is not the clock's: a late cycle delays a motion that is a
+    /// function of it.
     ///
     /// # Errors
     /// As [`send_joints`](Self::send_joints).

@@ -29,9 +29,8 @@ impl StreamHandle {
     /// Goes to these joint positions, which all joints reach at the same time, and stays there. In degrees.
     ///
     /// # Errors
-    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if the arm may not be there; it goes on as before.
-    /// [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended: nobody would
-    /// follow the target.
+    /// [`ErrorKind::BeyondLimit`](crate::ErrorKind::BeyondLimit) if the target is beyond a limit; the arm continues as
+    /// before. [`ErrorKind::SessionEnded`](crate::ErrorKind::SessionEnded) if the stream lands or has ended.
     pub fn set_joints(&self, target: impl Into<JointPosition>) -> Result<(), Error> {
         self.give((Quantity::Joints, Goal::Joints(target.into())), None)
     }
