@@ -24,6 +24,7 @@ mod witness;
 #[path = "../../../jaka-proto-derive/src"]
 #[allow(dead_code, unused_imports, clippy::all, clippy::pedantic, reason = "the macro crate is checked by itself")]
 mod generator {
+    pub(crate) mod call;
     pub(crate) mod choice;
     pub(crate) mod client;
     pub(crate) mod codec;
@@ -46,8 +47,8 @@ mod generator {
 // Modules of the macro crate name one another from its root.
 #[allow(unused_imports, reason = "each is named by some module of the macro crate")]
 use generator::{
-    choice, client, codec, command, construct, docs, enums, error_codes, events, forms, literal, motion, scope, topic,
-    type_forms, typedef, validate,
+    call, choice, client, codec, command, construct, docs, enums, error_codes, events, forms, literal, motion, scope,
+    topic, type_forms, typedef, validate,
 };
 
 use std::env;
