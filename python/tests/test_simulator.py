@@ -99,6 +99,32 @@ def test_a_wrong_option_is_in_the_error():
 
 
 @pytest.mark.jaka_simulator("--log")
+@pytest.mark.parametrize("options", ["powered=True", "['--powered']", "'--period', 50"])
+def test_options_that_are_no_strings_are_refused(pytester, options):
+    pytester.makepyfile(f"""
+        import pytest
+
+        @pytest.mark.jaka_simulator({options})
+        def test_robot(jaka_simulator): pass
+    """)
+    result = pytester.runpytest_inprocess("-p", "no:cacheprovider")
+    result.assert_outcomes(errors=1)
+    result.stdout.fnmatch_lines(["the marker jaka_simulator takes the options of `jaka sim` as separate strings, *"])
+
+
+def test_a_simulator_that_does_not_start_is_one_line_of_a_report(pytester):
+    pytester.makepyfile("""
+        import pytest
+
+        @pytest.mark.jaka_simulator("--power")
+        def test_robot(jaka_simulator): pass
+    """)
+    result = pytester.runpytest_inprocess("-p", "no:cacheprovider")
+    result.assert_outcomes(errors=1)
+    result.stdout.fnmatch_lines(["the simulator did not start, exit code 2: *--power*"])
+    result.stdout.no_fnmatch_line("*subprocess*")
+
+
 def test_a_log_that_nobody_reads_does_not_hold_the_simulator_up(jaka_simulator):
     # Requests whose log is more than a pipe holds.
     count = 2000

@@ -18,6 +18,11 @@ fn hosted(overview: &str) -> String {
 }
 
 fn without_hidden_lines(code: &str) -> String {
+    // In other languages `#` begins a comment.
+    let info = code.lines().next().unwrap_or_default();
+    if !["", "rust", "no_run", "ignore", "should_panic"].iter().any(|word| info.split(',').next() == Some(word)) {
+        return code.to_owned();
+    }
     let is_hidden = |line: &&str| *line == "#" || line.starts_with("# ");
     code.split('\n').filter(|line| !is_hidden(line)).collect::<Vec<_>>().join("\n")
 }
@@ -98,7 +103,7 @@ fn no_readme_has_what_only_rustdoc_understands() {
 #[test]
 fn what_rustdoc_alone_understands_is_left_out() {
     let page =
-        "A [`B`], [`c`](B::c), [d](#d), [\"e\"](crate::e), [f](https://f), g[0].\n```rust\nlet h = 1;\n# i()\n#\n```\n";
-    let expected = "A `B`, `c`, [d](#d), \"e\", [f](https://f), g[0].\n```rust\nlet h = 1;\n```\n";
+        "A [`B`], [`c`](B::c), [d](#d), [\"e\"](crate::e), [f](https://f), g[0].\n```rust\nlet h = 1;\n# i()\n#\n```\n```toml\n# j\n```\n";
+    let expected = "A `B`, `c`, [d](#d), \"e\", [f](https://f), g[0].\n```rust\nlet h = 1;\n```\n```toml\n# j\n```\n";
     assert_eq!(hosted(page), expected);
 }
