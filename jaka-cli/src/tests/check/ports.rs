@@ -115,7 +115,7 @@ fn packets_that_are_none() {
     assert_found(
         |controller| controller.status_fault(lines),
         &expect![[r#"
-        status_port: wrong: this firmware sends status as text lines, which only very old versions do: bytes that do not begin a frame: `joint_actual_position:(0, 0)\x0a`
+        status_port: wrong: this firmware sends its status as text lines, a form of very old versions: bytes that do not begin a frame: `joint_actual_position:(0, 0)\x0a`
           this firmware is older than the protocol: ask the vendor for a newer one
     "#]],
     );
