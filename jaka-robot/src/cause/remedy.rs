@@ -34,7 +34,7 @@ jaka_proto::worded! {
         LookAtArm => "look at the arm, then call `acknowledge`",
         /// Select the frames of the motion.
         SelectFrames =>
-            "find out who has changed it, and select the frames for which the motion is meant (`set_tool_id`, \
+            "find the person or program that changed it, and select the frames of the motion (`set_tool_id`, \
              `set_user_id`)",
         /// Stop the arm with the emergency stop, or connect again and stop it.
         ConnectAndStop => "use the emergency stop, or connect again and stop the arm",
