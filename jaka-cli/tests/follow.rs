@@ -202,7 +202,7 @@ fn an_arm_that_is_elsewhere_is_not_moved() {
     controller.set_state(|state| state.joint_position.0[3] = 91.0);
     let file = way("way.csv", 1.0);
     expect![[r#"
-        error: the trajectory was not started: it starts with joint 4 at 90.000 deg, and the arm has it at 91.000 deg, 1.000 deg away
+        error: the trajectory was not started: it starts with joint 4 at 90.000 deg, but the joint is at 91.000 deg, 1.000 deg away
         hint: `--approach` moves the arm to the start first
         exit code 20
     "#]].assert_eq(&run(&controller, &file, "--yes").text());
