@@ -127,11 +127,11 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
         Remedy::SeeController => "when somebody has looked at the arm, `jaka clear` clears the error",
         Remedy::MoveAway => "when somebody has looked at the arm, `jaka jog` moves it away from the limit",
         Remedy::GrantRemoteControl => "grant remote control on the controller's panel",
-        Remedy::SeeServoMode => "find out which program uses servo mode",
+        Remedy::SeeServoMode => "find the program that uses servo mode",
         Remedy::WaitOrStop => "`jaka stop` stops it, `jaka status --watch` shows it",
         Remedy::LookAtArm => "look at the arm before it moves again",
         Remedy::SelectFrames => {
-            "find out who has changed it, and select the frames for which the motion is meant: `jaka call set_tool_id`, \
+            "find the person or program that changed it, and select the frames of the motion: `jaka call set_tool_id`, \
              `jaka call set_user_id`"
         }
         Remedy::ConnectAndStop => {

@@ -100,7 +100,7 @@ fn packets_are_read_by_packs() {
     assert_eq!(report.code, Some(9), "{}", report.text());
     let report = checked_with(&format!("{STOP_IN_WORDS}[robot_status]\nerror_code = 'absent'\n"));
     expect![[r#"
-        status packets   look           never there, as declared: error_code
+        status packets   look           absent, as declared: error_code
         look at the pendant for errors of the controller: packets do not show them
     "#]]
     .assert_eq(&status_packets(&report));

@@ -79,7 +79,7 @@ fn what_no_source_has_is_said() {
     "]]
     .assert_eq(&text(&["0x12345"]));
     expect![[r"
-        error: `hello` is neither a code nor a refusal that the spec knows; a code is such as 0x0F0034, a refusal such as `call joint_move failed`
+        error: `hello` is not a code, nor a refusal of the spec; examples: the code 0x0F0034, the refusal `call joint_move failed`
         exit code 2
     "]]
     .assert_eq(&text(&["hello"]));

@@ -73,16 +73,16 @@ fn people_read_two_tables_and_what_to_change() {
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{}", run.text());
     let parts: Vec<_> = run.out.split("\n\n").collect();
     let [lateness, rows, replies, times, advice, items] = parts[..] else { panic!("{}", run.out) };
-    assert_eq!(lateness, "How late cycles of 8ms begin on this machine, in µs");
+    assert_eq!(lateness, "Lateness of cycles of 8ms on this machine, in µs");
     let columns: Vec<_> = rows.lines().next().unwrap_or_default().split("  ").map(str::trim).collect();
     let columns: Vec<_> = columns.into_iter().filter(|column| !column.is_empty()).collect();
     assert_eq!(columns, ["cycles", "p50", "p90", "p99", "max", "8ms or more", "24ms or more"]);
     let names: Vec<_> = rows.lines().skip(1).map(|row| row.chars().take(30).collect::<String>()).collect();
     let names: Vec<_> = names.iter().map(|name| name.trim()).collect();
     assert_eq!(names, ["asleep", "spinning 200µs", "asleep, priority 20", "spinning 200µs, priority 20"]);
-    assert_eq!(replies, "How long replies of simulated Zu 5 to `get_joint_pos` take, in µs");
+    assert_eq!(replies, "Time until replies of simulated Zu 5 to `get_joint_pos`, in µs");
     assert_eq!(times.lines().count(), 2);
-    assert_eq!(advice, "What to change");
+    assert_eq!(advice, "Recommendations");
     assert!(items.starts_with("busy_wait  "), "{items}");
 }
 

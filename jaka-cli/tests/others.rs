@@ -98,7 +98,7 @@ fn the_help_of_sim_lists_the_faults() {
         `always drop` for all, and `random 7 1/20 drop, reset` for one in twenty, with a seed. The README of
         jaka-sim explains them.
 
-        What `--schedule` and `--stdin` can have happen, inputs by their place from 0:
+        Events for `--schedule` and `--stdin`, with inputs counted from 0:
           collide, press-emergency-stop, release-emergency-stop, cut-power, input 3 high, tool-input 0 low,
           analog-input 3 2.5, tool-analog-input 0 2.5, link status to-client hold
 

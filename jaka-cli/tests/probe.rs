@@ -75,7 +75,7 @@ fn keys_of_the_status_packet_and_of_types_inside_it_are_drafted() {
         packet["extio"]["watch dog"] = json!(true);
     });
     expect![[r#"
-        # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
+        # A draft by `jaka probe`: answer each TODO, and correct guessed names and types.
         title = "Messages of 1.6.5_01_X86 beyond the spec"
 
         [[extend]]
@@ -110,10 +110,10 @@ fn a_key_of_the_status_packet_that_took_the_place_of_another_is_proposed_as_its_
         packet.insert("in_pos".to_owned(), value);
     });
     expect![[r#"
-        # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
+        # A draft by `jaka probe`: answer each TODO, and correct guessed names and types.
         title = "Messages of 1.6.5_01_X86 beyond the spec"
 
-        # TODO: a proposal, to be checked by somebody. status packet: `inpos` is missing, and `in_pos` is new and looks like it: true
+        # TODO: check this proposal. status packet: `inpos` is missing, and `in_pos` is new and looks like it: true
         [[override]]
         target = "RobotStatus"
         field = "inpos"

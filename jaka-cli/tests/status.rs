@@ -275,12 +275,12 @@ fn a_condition_is_waited_for() {
 fn a_condition_that_does_not_come_in_time_is_a_failure() {
     let failed = failure(&mut jaka(&["status", "--sim", "--timeout", "1", "--until", "enabled || rapid_rate > 1"]));
     // What the last packet showed is told, if one has come: the unit tests of the condition have it.
-    assert!(failed.starts_with("error: `enabled || rapid_rate > 1` did not hold within 1s; "), "{failed}");
+    assert!(failed.starts_with("error: `enabled || rapid_rate > 1` was not true within 1s; "), "{failed}");
     assert!(failed.ends_with("\nexit code Some(27)"), "{failed}");
     let (controller, args) = quiet_controller();
     // Also where no packet comes any more.
     let (_, stderr, code) = output(jaka(&[]).args(args).args(["--timeout", "1", "--until", "enabled"]));
-    assert!(stderr.starts_with("error: `enabled` did not hold within 1s; "), "{stderr}");
+    assert!(stderr.starts_with("error: `enabled` was not true within 1s; "), "{stderr}");
     assert_eq!(code, Some(27));
     drop(controller);
 }

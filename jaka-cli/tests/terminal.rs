@@ -58,7 +58,7 @@ fn a_question_says_what_the_arm_will_do() {
     asked(
         "move --joints 0,90,80,90,-90,0 --speed 10 --model zu5",
         &expect![[r#"
-            The arm of 127.0.0.1 will go to the joint positions 0, 90, 80, 90, -90, 0 deg: joint 3, which has the longest way (-10 deg), at 10 deg/s scaled by the rapid rate, with an acceleration of 72 deg/s².
+            The arm of 127.0.0.1 will go to the joint positions 0, 90, 80, 90, -90, 0 deg: joint 3, which turns furthest (-10 deg), at 10 deg/s scaled by the rapid rate, with an acceleration of 72 deg/s².
               {"cmdName":"joint_move","relFlag":0,"jointPosition":[0,90,80,90,-90,0],"speed":10,"accel":72}
             The command port serves one client: another program that is connected there may be disconnected.
             Go on? [y/N] error: `joint_move` was not sent
@@ -67,7 +67,7 @@ fn a_question_says_what_the_arm_will_do() {
     asked(
         "move --pose -400,100,450,180,0,90 --speed 50 --acceleration 200",
         &expect![[r#"
-            The arm of 127.0.0.1 will lead its tool centre point on a straight line to -400, 100, 450 mm (x, y, z) and 180, 0, 90 deg (rx, ry, rz), at 50 mm/s scaled by the rapid rate, with an acceleration of 200 mm/s².
+            The arm of 127.0.0.1 will move its tool centre point in a straight line to -400, 100, 450 mm (x, y, z) and 180, 0, 90 deg (rx, ry, rz), at 50 mm/s scaled by the rapid rate, with an acceleration of 200 mm/s².
               {"cmdName":"moveL","relFlag":0,"cartPosition":[-400,100,450,180,0,90],"speed":50,"accel":200}
             The command port serves one client: another program that is connected there may be disconnected.
             Go on? [y/N] error: `moveL` was not sent
@@ -85,7 +85,7 @@ fn a_question_says_what_the_arm_will_do() {
     asked(
         "jog z -10 --speed 20",
         &expect![[r#"
-            The arm of 127.0.0.1 will lead its tool centre point by -10 mm along z of the selected user frame, at 20 mm/s scaled by the rapid rate, with the controller's own acceleration.
+            The arm of 127.0.0.1 will move its tool centre point by -10 mm along z of the selected user frame, at 20 mm/s scaled by the rapid rate, with the controller's own acceleration.
               {"cmdName":"moveL","relFlag":1,"cartPosition":[0,0,-10,0,0,0],"speed":20}
             The command port serves one client: another program that is connected there may be disconnected.
             Go on? [y/N] error: `moveL` was not sent
@@ -162,14 +162,14 @@ fn what_is_beyond_a_limit_is_refused_before_a_question() {
         "jog 3 8 --speed 190 --model zu5",
         &expect![[r#"
             error: `joint_move` was not sent: joint 3 would turn at 190 deg/s; limit 180 (Zu 5)
-            hint: motions of joints take deg/s, lines of the tool mm/s: 190 was perhaps meant in mm/s
+            hint: joint motions take deg/s, tool lines mm/s; 190 may be meant in mm/s
             exit code 20"#]],
     );
     refused(
         "jog 3 8 --speed 500",
         &expect![[r#"
             error: `joint_move` was not sent: field `speed` is 500, allowed is more than 0, at most 265 deg/s
-            hint: motions of joints take deg/s, lines of the tool mm/s: 500 was perhaps meant in mm/s
+            hint: joint motions take deg/s, tool lines mm/s; 500 may be meant in mm/s
             exit code 2"#]],
     );
     refused(
@@ -177,8 +177,8 @@ fn what_is_beyond_a_limit_is_refused_before_a_question() {
         &expect![[r#"
             error: `joint_move` was not sent:
               field `speed` is 500.0; allowed is a number, more than 0, at most 265 deg/s; this is advisory
-            hint: motions of joints take deg/s, lines of the tool mm/s: 500 was perhaps meant in mm/s
-            hint: `--advisory-ranges ignore` leaves it to the controller
+            hint: joint motions take deg/s, tool lines mm/s; 500 may be meant in mm/s
+            hint: `--advisory-ranges ignore` leaves the check to the controller
             exit code 2"#]],
     );
     assert!(controller.requests().is_empty());
@@ -192,7 +192,7 @@ fn whoever_takes_the_seat_is_asked_or_warned() {
         "check",
         "n\n",
         &expect![[r#"
-            The command port of 127.0.0.1 serves one client. Another program that is connected there may be disconnected, and the arm may stop or go on as the controller is set (4.75).
+            The command port of 127.0.0.1 serves one client. Another program that is connected there may be disconnected, and the arm may stop or keep moving, depending on the setting of the controller (4.75).
             Connect? [y/N] error: nothing was checked: the answer was not yes
             exit code 2"#]],
     );
@@ -201,7 +201,7 @@ fn whoever_takes_the_seat_is_asked_or_warned() {
         "probe",
         "n\n",
         &expect![[r#"
-            The command port of 127.0.0.1 serves one client. Another program that is connected there may be disconnected, and the arm may stop or go on as the controller is set (4.75).
+            The command port of 127.0.0.1 serves one client. Another program that is connected there may be disconnected, and the arm may stop or keep moving, depending on the setting of the controller (4.75).
             Connect? [y/N] error: nothing was probed: the answer was not yes
             exit code 2"#]],
     );
@@ -210,7 +210,7 @@ fn whoever_takes_the_seat_is_asked_or_warned() {
         "jitter --seconds 0.1",
         "n\n",
         &expect![[r#"
-            The command port of 127.0.0.1 serves one client. Another program that is connected there may be disconnected, and the arm may stop or go on as the controller is set (4.75).
+            The command port of 127.0.0.1 serves one client. Another program that is connected there may be disconnected, and the arm may stop or keep moving, depending on the setting of the controller (4.75).
             Connect? [y/N] error: nothing was measured: the answer was not yes
             exit code 2"#]],
     );

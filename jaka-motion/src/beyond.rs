@@ -212,7 +212,7 @@ impl std::error::Error for Beyond {}
 
 impl fmt::Display for Beyond {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (at, on_the_way) = (At(self, self.way.noun()), At(self, "its way"));
+        let (at, on_the_way) = (At(self, self.way.noun()), At(self, "its path"));
         match &self.exceeded {
             Exceeded::JointRange { joint, position_deg, limit_deg } => {
                 let position = Apart(*position_deg, *limit_deg);
@@ -246,7 +246,7 @@ impl fmt::Display for Beyond {
                     name.escape_debug()
                 )?;
                 if *tolerance_mm > 0.0 {
-                    write!(f, ", {tolerance_mm} mm of blending counted")?;
+                    write!(f, ", including {tolerance_mm} mm of blending")?;
                 }
             }
             Exceeded::LandingRange { joint, end_deg, limit_deg } => {
@@ -287,7 +287,7 @@ impl Way {
     fn noun(self) -> &'static str {
         match self {
             Self::Place => "place",
-            Self::JointWay | Self::EndMove => "way",
+            Self::JointWay | Self::EndMove => "path",
             Self::Line => "line",
             Self::Arc => "arc",
             Self::SetPoint => "set-point",
@@ -302,7 +302,7 @@ impl fmt::Display for At<'_> {
         if matches!(way, Way::Place | Way::SetPoint | Way::Trajectory) || *share >= 1.0 {
             return Ok(());
         }
-        let of = if *noun == "its way" { "" } else { "the " };
+        let of = if *noun == "its path" { "" } else { "the " };
         write!(f, " at {:.0} % of {of}{noun}", share * 100.0)
     }
 }

@@ -137,14 +137,14 @@ jaka_proto::worded! {
             /// Smallest side of the box, in mm.
             side_mm: f64,
         } => (format!(
-            "box `{}`: a side of {side_mm} mm; a box is not thinner than 0 mm, and than 1 mm if kept outside of",
+            "box `{}`: a side of {side_mm} mm; a side is at least 0 mm, and at least 1 mm if the arm stays outside",
             name.escape_debug()
         )),
         /// The direction of a half-space has no length.
         NoDirection {
             /// Name of the region.
             name: Arc<str>,
-        } => (format!("half-space `{}`: the direction inward has no length", name.escape_debug())),
+        } => (format!("half-space `{}`: the inward direction has no length", name.escape_debug())),
     }
 }
 

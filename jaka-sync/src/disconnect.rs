@@ -33,17 +33,17 @@ jaka_proto::worded! {
             /// Number of set-points without a reply.
             unanswered: u64,
         } =>
-            "this side reset the connection, because {unanswered} set-points and the command that ends servo mode had no \
-             reply; set-points that had not been sent yet were discarded, others may still move the arm",
+            "this program reset the connection, because {unanswered} set-points and the command that ends servo mode had no \
+             reply; unsent set-points were discarded, sent ones may still move the arm",
         /// A panic in this program, for example in a logger or a decoder, interrupted the reading of messages.
         Panicked => "a panic in this program interrupted the reading of messages",
         /// The client was dropped, and its connection with it: stop handles can no longer stop the robot.
-        ClientDropped => "the client was dropped, and its connection with it",
+        ClientDropped => "the client was dropped, which closed its connection",
         /// This is the status port, or a server that sends status packets; port 10001 takes commands.
-        StatusPort => "a status packet came instead of a reply: this is the status port, port 10001 takes commands",
+        StatusPort => "received a status packet instead of a reply: this is the status port; commands go to port 10001",
         /// This is the command port, or a server that answers like it; port 10000 sends the status.
         CommandPort =>
-            "a reply to a command came instead of a status packet: this is the command port, port 10000 sends the status",
+            "received a reply to a command instead of a status packet: this is the command port; status packets come from port 10000",
         /// A command that ends the session was carried out.
         Ended {
             /// `cmdName` of the command.
@@ -60,7 +60,7 @@ fn closed(partial: usize) -> String {
 
 fn not_a_frame(error: &FrameError) -> String {
     if is_text_line(error) {
-        return format!("this firmware sends status as text lines, which only very old versions do: {error}");
+        return format!("this firmware sends its status as text lines, a form of very old versions: {error}");
     }
     error.to_string()
 }

@@ -347,7 +347,7 @@ fn disconnected(address: &str, command: Option<&str>, sent: bool, cause: &Discon
 }
 
 fn not_in_state(after: Duration, packets: u64, says: Option<&str>) -> String {
-    let says = says.map_or_else(String::new, |says| format!("; the last one says: {says}"));
+    let says = says.map_or_else(String::new, |says| format!("; the last packet: {says}"));
     format!("the robot was not in the expected state within {after:?} ({packets} status packets){says}")
 }
 

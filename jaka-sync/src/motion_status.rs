@@ -47,7 +47,7 @@ use crate::Snapshot;
 /// }
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "a robot cannot tell by `{Self}` how a motion goes",
+    message = "a robot cannot read the state of a motion from `{Self}`",
     note = "a pack's `RobotStatus` does not implement it if the pack's `[robot_status]` leaves a field to the program"
 )]
 pub trait MotionStatus: Decode + Send + Sync + Sized + 'static {

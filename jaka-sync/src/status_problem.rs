@@ -18,7 +18,7 @@ jaka_proto::worded! {
             /// Address of the connection, with the port.
             address: String,
         } =>
-            "no status packet has come from {address}",
+            "no status packet received from {address}",
         /// No status packet has come for longer than [`Config::stale_after`](crate::Config::stale_after).
         Stale {
             /// Time since the last one came.

@@ -98,8 +98,7 @@ fn must_be_as_built_in(spec: &Spec, intents: &[Intent<'_>]) -> Result<(), Failur
     match builtin::spec().commands().filter(is_needed).find(is_changed) {
         None => Ok(()),
         Some(command) => Err(Failure::Usage(format!(
-            "nothing was sent: a pack changes `{0}`, which is sent here as it is built in\nhint: `jaka call` sends \
-             commands as packs have them",
+            "nothing was sent: a pack changes `{0}`, but this command sends the built-in form\nhint: `jaka call` sends commands in the form of the packs",
             command.wire
         ))),
     }
@@ -222,11 +221,10 @@ impl QueueArgs {
         let why = match robot.monitor().wait_until(|_| true, patience)?.status.status.in_position {
             Some(true) => return Ok(()),
             Some(false) => {
-                "the arm moves, and the controller would queue it behind that motion; wait for its end, `jaka stop`, or --queue"
+                "the arm is moving, and the controller would queue the command after that motion\nhint: wait for its end, stop it with `jaka stop`, or use --queue"
             }
             None => {
-                "status packets do not show whether the arm moves, and the controller would queue it behind another motion; look at the arm, and \
-                 use --queue"
+                "status packets do not show whether the arm moves, and the controller would queue the command after another motion\nhint: look at the arm, and use --queue"
             }
         };
         Err(Failure::NotSent(format!("`{command}` was not sent: {why}")))

@@ -105,14 +105,14 @@ impl UnderWay {
         // Keeps the lock until the text is printed.
         let mut stage = self.lock();
         match &*stage {
-            Stage::NothingSent => end_with(exit::INTERRUPTED, "interrupted; nothing was sent that changes anything"),
+            Stage::NothingSent => end_with(exit::INTERRUPTED, "interrupted; no command that changes anything was sent"),
             Stage::Sent(what) => end_with(
                 exit::MAY_HAVE_RUN,
                 &format!("interrupted: {what} may have run; check the robot's state before you go on"),
             ),
             Stage::Steps(stop) => {
                 stop_steps(stop);
-                *stage = Stage::Sent("what was sent".to_owned());
+                *stage = Stage::Sent("the steps already sent".to_owned());
             }
             Stage::Moving(stop) => stop_arm(stop),
             Stage::Idle => end_with(exit::INTERRUPTED, "interrupted; no command is outstanding"),
@@ -154,7 +154,9 @@ fn stop_arm(stop: &RobotStop) {
     let (answered, waiting) = mpsc::channel::<()>();
     thread::spawn(move || {
         if waiting.recv_timeout(SOON) == Err(RecvTimeoutError::Timeout) {
-            output::urgent_note("interrupted: the stop has no answer yet; if the arm goes on, use the emergency stop");
+            output::urgent_note(
+                "interrupted: no reply to the stop yet; if the arm keeps moving, use the emergency stop",
+            );
         }
     });
     let stopped = stop.stop();

@@ -55,7 +55,7 @@ impl Planned {
         match (*goal, from) {
             (MoveTarget::Joints(to), from) => {
                 let longest =
-                    from.map_or_else(|| "the joint with the longest way".to_owned(), |from| longest(from.0, to));
+                    from.map_or_else(|| "the joint that turns furthest".to_owned(), |from| longest(from.0, to));
                 format!("go to the joint positions {} deg: {longest} {asked}", list(&to))
             }
             (MoveTarget::Joint(at, by), Some(from)) => {
@@ -67,12 +67,12 @@ impl Planned {
                 let (position, rotation) = to.split_at(3);
                 let (position, rotation) = (list(position), list(rotation));
                 format!(
-                    "lead its tool centre point on a straight line to {position} mm (x, y, z) and {rotation} deg (rx, ry, rz), {asked}"
+                    "move its tool centre point in a straight line to {position} mm (x, y, z) and {rotation} deg (rx, ry, rz), {asked}"
                 )
             }
             (MoveTarget::Line(at, by), _) => {
                 let axis = ["x", "y", "z"][at];
-                format!("lead its tool centre point by {by} mm along {axis} of the selected user frame, {asked}")
+                format!("move its tool centre point by {by} mm along {axis} of the selected user frame, {asked}")
             }
         }
     }
@@ -140,7 +140,7 @@ fn hint(beyond: &Beyond) -> Option<String> {
 fn longest(from: [f64; 6], to: [f64; 6]) -> String {
     let ways: [f64; 6] = std::array::from_fn(|joint| to[joint] - from[joint]);
     let at = (0..6).fold(0, |longest, at| if ways[at].abs() > ways[longest].abs() { at } else { longest });
-    format!("joint {}, which has the longest way ({} deg),", at + 1, in_tenths(ways[at]))
+    format!("joint {}, which turns furthest ({} deg),", at + 1, in_tenths(ways[at]))
 }
 
 /// Rounds to tenths, without a negative zero.
@@ -173,14 +173,14 @@ mod tests {
             to,
             Some(HERE),
             &expect![
-                "go to the joint positions 0, 90, 85.5, 90, -90, 10 deg: joint 3, which has the longest way (-4.5 deg), at 20 deg/s scaled by the rapid rate, with an acceleration of 50 deg/s²"
+                "go to the joint positions 0, 90, 85.5, 90, -90, 10 deg: joint 3, which turns furthest (-4.5 deg), at 20 deg/s scaled by the rapid rate, with an acceleration of 50 deg/s²"
             ],
         );
         check(
             to,
             None,
             &expect![
-                "go to the joint positions 0, 90, 85.5, 90, -90, 10 deg: the joint with the longest way at 20 deg/s scaled by the rapid rate, with an acceleration of 50 deg/s²"
+                "go to the joint positions 0, 90, 85.5, 90, -90, 10 deg: the joint that turns furthest at 20 deg/s scaled by the rapid rate, with an acceleration of 50 deg/s²"
             ],
         );
         check(
@@ -201,11 +201,11 @@ mod tests {
             MoveTarget::Pose([-400.0, 100.0, 450.0, 180.0, 0.0, 90.0]),
             None,
             &expect![
-                "lead its tool centre point on a straight line to -400, 100, 450 mm (x, y, z) and 180, 0, 90 deg (rx, ry, rz), at 20 mm/s scaled by the rapid rate, with an acceleration of 50 mm/s²"
+                "move its tool centre point in a straight line to -400, 100, 450 mm (x, y, z) and 180, 0, 90 deg (rx, ry, rz), at 20 mm/s scaled by the rapid rate, with an acceleration of 50 mm/s²"
             ],
         );
         let line = Planned { goal: MoveTarget::Line(2, -10.0), speed: 20.0, acceleration: None };
-        expect!["lead its tool centre point by -10 mm along z of the selected user frame, at 20 mm/s scaled by the rapid rate, with the controller's own acceleration"].assert_eq(&line.told(None));
+        expect!["move its tool centre point by -10 mm along z of the selected user frame, at 20 mm/s scaled by the rapid rate, with the controller's own acceleration"].assert_eq(&line.told(None));
     }
 
     #[test]

@@ -67,9 +67,9 @@ impl Call {
         if line.options.stdin {
             return match name {
                 None => lines::carry_out(&protocol, &line.options),
-                Some(name) => {
-                    Err(Failure::Usage(format!("with --stdin, `{name}` is named in the lines and not before them")))
-                }
+                Some(name) => Err(Failure::Usage(format!(
+                    "--stdin reads the names of commands from standard input, so `{name}` cannot be on the command line"
+                ))),
             };
         }
         let request = request::of_line(spec, command, name, &line).map_err(|failure| explained(failure, of_fields))?;

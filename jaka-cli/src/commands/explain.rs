@@ -49,8 +49,7 @@ impl Explain {
 fn unknown(text: &str) -> String {
     match number(text).as_slice() {
         [] => format!(
-            "`{text}` is neither a code nor a refusal that the spec knows; a code is such as 0x0F0034, a refusal such as \
-             `call joint_move failed`"
+            "`{text}` is not a code, nor a refusal of the spec; examples: the code 0x0F0034, the refusal `call joint_move failed`"
         ),
         _ => format!(
             "the code {text} is not in the spec; newer firmware has codes that no table lists, and it may be an error"

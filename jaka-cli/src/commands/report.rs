@@ -51,7 +51,7 @@ fn page_of(name: &str, recording: &Recording) -> Result<String, Failure> {
     let session = Session::read(recording);
     let mut page = HtmlPage::new(name);
     page.section("summary", "Summary", &page::facts(&session));
-    page.section("problems", "What went wrong", &page::problems(&session));
+    page.section("problems", "Problems", &page::problems(&session));
     for (id, title, html) in pictures::sections(&session)? {
         page.section(id, title, &html);
     }

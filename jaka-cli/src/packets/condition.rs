@@ -251,7 +251,7 @@ mod tests {
         check(
             "enabled < in_position",
             &expect![[r"
-            column 9: truth values are compared with `==` and `!=` alone
+            column 9: truth values can only be compared with `==` and `!=`
               enabled < in_position
                       ^"]],
         );
@@ -319,11 +319,11 @@ mod tests {
         check(
             "enabled §",
             &expect![[r"
-            column 9: `§` means nothing here
+            column 9: `§` is not expected here
               enabled §
                       ^"]],
         );
         let deep = "(".repeat(1000).parse::<Condition>().expect_err("it is not a condition");
-        assert!(deep.starts_with("column 51: there are too many parts in each other"), "{deep}");
+        assert!(deep.starts_with("column 51: too many nested parts"), "{deep}");
     }
 }

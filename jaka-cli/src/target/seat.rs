@@ -37,7 +37,7 @@ pub(crate) fn obtain(title: &str, not_done: &str) -> Result<(), Failure> {
     }
     let question = format!(
         "The command port of {title} serves one client. Another program that is connected there may be disconnected, and the \
-         arm may stop or go on as the controller is set (4.75).\nConnect? [y/N] "
+         arm may stop or keep moving, depending on the setting of the controller (4.75).\nConnect? [y/N] "
     );
     if question::is_confirmed(&question)? { Ok(()) } else { Err(refused("the answer was not yes")) }
 }

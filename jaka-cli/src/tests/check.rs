@@ -77,28 +77,28 @@ fn nothing_is_found_on_a_healthy_arm() {
     let report = check(&controller, &["--yes"]);
     expect![[r#"
         command port     nothing found  127.0.0.1:PORT answers
-        status port      nothing found  packets come
+        status port      nothing found  packets arrive
         firmware         nothing found  1.5.14_13_X64
         power            nothing found  the arm has power
         enabled          nothing found  the arm is enabled
         emergency stop   nothing found  not pressed
-        protective stop  nothing found  not in one
+        protective stop  nothing found  not active
         event            nothing found  none
         servo mode       nothing found  off
         drag mode        nothing found  off
-        program          nothing found  none runs
+        program          nothing found  no program runs
         tool frame       nothing found  0, the centre of the flange
         user frame       nothing found  0, the robot's base
         payload          nothing found  1 kg
         rapid rate       nothing found  1 of 1
         collision level  nothing found  3
         soft limit       nothing found  not hit
-        status packets   nothing found  whole
+        status packets   nothing found  complete
         status rate      nothing found  33 packets in a second
         round trip       nothing found  100 queries: 50 % within 0.0ns, 99 % within 0.0ns
-        model            nothing found  poses are those of Zu 5, Pro 5, S5, C5
-        DH parameters    nothing found  those of a Zu 5, or near them
-        limits           nothing found  the arm is within those of Zu 5, Pro 5, S5, C5
+        model            nothing found  poses agree with Zu 5, Pro 5, S5, C5
+        DH parameters    nothing found  equal or close to those of a Zu 5
+        limits           nothing found  the arm is within the limits of Zu 5, Pro 5, S5, C5
 
         Look at the pendant for these, which no query reads:
         remote control     acceptance of motions from this program

@@ -110,7 +110,7 @@ fn a_motion_is_not_queued_behind_another_unless_that_is_asked_for() {
     for line in ["jog 6 1 --speed 5 --yes", "move --joints 0,90,90,90,-90,0 --speed 10 --yes"] {
         let refused = jaka(&arm, line.split(' '));
         assert_eq!((refused.code, refused.out.as_str()), (20, ""), "{refused:?}");
-        assert!(refused.err.contains("the arm moves") && refused.err.contains("--queue"), "{refused:?}");
+        assert!(refused.err.contains("the arm is moving") && refused.err.contains("--queue"), "{refused:?}");
     }
     assert_eq!(changes(&arm).len(), 1, "only the first one was sent");
     let queued = jaka(&arm, "jog 6 1 --speed 5 --yes --queue --timeout 1".split(' '));

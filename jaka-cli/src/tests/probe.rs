@@ -176,16 +176,16 @@ fn a_draft_has_what_changed_and_loads_whatever_its_file_is_called() {
     let run = probe(&controller, &["--draft", &draft]);
     assert_eq!(run.code, 7, "{}", run.text());
     expect![[r#"
-        # A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.
+        # A draft by `jaka probe`: answer each TODO, and correct guessed names and types.
         title = "Messages of a controller of unknown version beyond the spec"
 
-        # TODO: whether this is right. get_version: unreadable: `version` is 17; expected is text
+        # TODO: check this change. get_version: unreadable: `version` is 17; expected is text
         [[override]]
         target = "get_version"
         reply = "version"
         type = "int"
 
-        # TODO: whether this is right. get_joint_pos: unreadable: `joint_pos` has another length; expected is an array of 6, each a number (in deg): [1,2,3]
+        # TODO: check this change. get_joint_pos: unreadable: `joint_pos` has another length; expected is an array of 6, each a number (in deg): [1,2,3]
         [[override]]
         target = "get_joint_pos"
         reply = "joint_pos"
@@ -242,7 +242,7 @@ fn entries(draft: &str) -> &str {
 fn a_key_that_took_the_place_of_another_is_proposed_as_its_new_name() {
     let (text, again) = drafted("renamed.toml", &[("get_version", json!({ "sw_version": "1.7.2" }))]);
     expect![[r#"
-        # TODO: a proposal, to be checked by somebody. get_version: `version` is missing, and `sw_version` is new and looks like it: "1.7.2"
+        # TODO: check this proposal. get_version: `version` is missing, and `sw_version` is new and looks like it: "1.7.2"
         [[override]]
         target = "get_version"
         reply = "version"

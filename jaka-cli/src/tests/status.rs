@@ -98,7 +98,7 @@ fn of_all_packets_those_that_may_be_old_are_announced() {
     assert!(enabled.len() == 120 && !enabled[119], "{run:?}");
     expect![["
         warning: no status packet since TIME, for 0.6 s
-        warning: status packets come again, after 2.3 s: the first ones may be old ones that the network had held back
+        warning: status packets resumed after 2.3 s; the first ones may be old, held back by the network
     "]]
     .assert_eq(&run.err);
 }
@@ -117,7 +117,7 @@ fn a_packet_that_may_be_old_does_not_end_a_wait() {
     };
     let run = jaka_beside(&arm, held, ["status", "--until", "!enabled", "--timeout", "6", "--fields", "enabled"]);
     assert_eq!((run.code, &*run.out), (27, ""), "{run:?}");
-    assert!(run.err.contains("`!enabled` did not hold within 6s; the last packet: enabled true"), "{run:?}");
+    assert!(run.err.contains("`!enabled` was not true within 6s; the last packet: enabled true"), "{run:?}");
 }
 
 #[test]

@@ -117,7 +117,7 @@ fn what_no_arm_does_is_refused() {
         &expect![[r"
         error: `joint_move` was not sent:
           field `joint_position[0]` is 1000.0; allowed is a number, -360 to 360 deg; this is advisory
-        hint: `--advisory-ranges ignore` leaves it to the controller
+        hint: `--advisory-ranges ignore` leaves the check to the controller
         exit code 2
     "]],
     );
@@ -126,8 +126,8 @@ fn what_no_arm_does_is_refused() {
         &expect![[r"
         error: `joint_move` was not sent:
           field `speed` is 9000.0; allowed is a number, more than 0, at most 265 deg/s; this is advisory
-        hint: motions of joints take deg/s, lines of the tool mm/s: 9000 was perhaps meant in mm/s
-        hint: `--advisory-ranges ignore` leaves it to the controller
+        hint: joint motions take deg/s, tool lines mm/s; 9000 may be meant in mm/s
+        hint: `--advisory-ranges ignore` leaves the check to the controller
         exit code 2
     "]],
     );
@@ -137,7 +137,7 @@ fn what_no_arm_does_is_refused() {
         error: `moveL` was not sent:
           field `speed` is 0.0; allowed is a number, more than 0, at most 10000 mm/s; this is advisory
           field `acceleration` is 9000.0; allowed is a number, more than 0, at most 8000 mm/s²; this is advisory
-        hint: `--advisory-ranges ignore` leaves it to the controller
+        hint: `--advisory-ranges ignore` leaves the check to the controller
         exit code 2
     "]],
     );
@@ -147,7 +147,7 @@ fn what_no_arm_does_is_refused() {
         error: `servo_p` was not sent:
           field `pose.x` is 300.0; allowed is a number, -80 to 80 mm; this is advisory
           field `pose.rz` is 10.0; allowed is a number, -9 to 9 deg; this is advisory
-        hint: `--advisory-ranges ignore` leaves it to the controller
+        hint: `--advisory-ranges ignore` leaves the check to the controller
         exit code 2
     "]],
     );
@@ -156,7 +156,7 @@ fn what_no_arm_does_is_refused() {
         &expect![[r"
         error: `servo_j` was not sent:
           field `step_count` is 13; allowed is a whole number, 1 to 12; this is advisory
-        hint: `--advisory-ranges ignore` leaves it to the controller
+        hint: `--advisory-ranges ignore` leaves the check to the controller
         exit code 2
     "]],
     );
@@ -176,7 +176,7 @@ fn advisory_ranges_may_be_left_to_the_controller() {
         &expect![[r"
             error: `set_digital_output` was not sent:
               field `kind` is 3; allowed is 0 (Cabinet), 1 (Tool) or 2 (Extension); this is advisory
-            hint: `--advisory-ranges ignore` leaves it to the controller
+            hint: `--advisory-ranges ignore` leaves the check to the controller
             exit code 2
         "]],
     );
@@ -202,7 +202,7 @@ fn whole_requests_are_checked_too() {
     check(
         r#"power_on --params {"cmdName":"power_off"} --dry-run"#,
         &expect![[r#"
-            error: the request is one of "power_off", not of `power_on`
+            error: the request names "power_off", the command line `power_on`
             exit code 2
         "#]],
     );
@@ -225,7 +225,7 @@ fn whole_requests_are_checked_too() {
     check(
         "--params {} --dry-run",
         &expect![[r"
-            error: no command is named: name it on the line, or as `cmdName` in the request
+            error: no command name: give it on the command line, or as `cmdName` in the request
             exit code 2
         "]],
     );
@@ -289,7 +289,7 @@ fn raw_requests_go_out_as_they_are() {
     check(
         "--raw --dry-run",
         &expect![[r"
-            error: no command is named: name it on the line, or as `cmdName` in the request
+            error: no command name: give it on the command line, or as `cmdName` in the request
             exit code 2
         "]],
     );

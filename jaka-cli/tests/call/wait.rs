@@ -125,7 +125,7 @@ fn an_interrupt_before_that_says_that_nothing_was_changed() {
     let _connection = silent.accept().expect("it connects");
     interrupt(&child);
     expect![[r"
-        error: interrupted; nothing was sent that changes anything
+        error: interrupted; no command that changes anything was sent
         exit code 130
     "]]
     .assert_eq(&result(child).text());

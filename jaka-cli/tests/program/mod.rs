@@ -75,7 +75,7 @@ pub(crate) fn wait_for_motion(controller: &Controller) {
 
 /// Text of an interrupted run without the note that a stop is not answered yet, which a slow machine causes.
 pub(crate) fn without_late_answer(run: &Run) -> String {
-    let is_late = |line: &&str| line.starts_with("note: interrupted: the stop has no answer yet");
+    let is_late = |line: &&str| line.starts_with("note: interrupted: no reply to the stop yet");
     run.text().split_inclusive('\n').filter(|line| !is_late(line)).collect()
 }
 

@@ -61,7 +61,7 @@ jaka_proto::worded! {
             least_deg: f64,
         } => "joint {joint} moves by {moved_deg:.1} deg over the poses to compare; at least {least_deg} deg are needed",
         /// The poses are turned about a single axis, so more than one tool and mounting fit them.
-        TooAlike => "the poses to compare are turned about one axis alone",
+        TooAlike => "the poses to compare are rotated about a single axis",
         /// The model differs from the controller: the arm is another one, or is calibrated differently.
         Differs {
             /// Name of the model.

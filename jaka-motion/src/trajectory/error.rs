@@ -82,7 +82,7 @@ jaka_proto::worded! {
             /// Factor for all times with which no jerk exceeds its limit; speeds fall by the same factor.
             slower: f64,
         } => "after way-point {after}: joint {joint} would have a jerk of {jerk_deg_s3:.0} deg/s³; limit {limit_deg_s3} deg/s³; \
-              nowhere, if all times are {slower:.3} times as long",
+              with all times {slower:.3} times as long, no jerk exceeds its limit",
         /// The first way-point is a pose, which several joint positions reach, and no [`near`](crate::Through::near) is
         /// set.
         StartsWithPose =>
@@ -98,7 +98,7 @@ jaka_proto::worded! {
             way_point: usize,
         } => "way-point {way_point}: a point of a curve has no speed or tolerance of its own",
         /// All way-points are at one place.
-        NoWay => "all way-points are at one place",
+        NoWay => "all way-points are at the same place",
         /// The trajectory takes longer than a week.
         TooLong {
             /// Duration in seconds.

@@ -51,7 +51,7 @@ impl<'t> File<'t> {
         };
         for (index, (key, value)) in entries.iter().enumerate() {
             if entries[..index].iter().any(|(other, _)| other == key) {
-                report.error(self.place(value), format!("key `{key}` comes twice"));
+                report.error(self.place(value), format!("key `{key}` appears twice"));
             }
         }
         Some(entries)
@@ -69,7 +69,7 @@ impl<'t> File<'t> {
     pub(super) fn points(&self, report: &mut Report<'_>) -> Option<Vec<&'t str>> {
         let entries = self.entries(self.whole, "the file", report)?;
         for (key, value) in entries.iter().filter(|(key, _)| key != POINTS) {
-            report.error(self.place(value), format!("unknown key `{key}`; there is `{POINTS}` alone"));
+            report.error(self.place(value), format!("unknown key `{key}`; the only key is `{POINTS}`"));
         }
         let Some((_, points)) = entries.iter().find(|(key, _)| key == POINTS) else {
             report.error(self.place(self.whole), format!("`{POINTS}` is missing"));

@@ -215,10 +215,10 @@ fn columns(at: usize, header: &str, report: &mut Report<'_>) -> Vec<Option<(Stri
         match &column {
             None => report.error(at, unknown(name, &known)),
             Some((_, column)) if first.is_some_and(|first| first.kind != column.kind) => {
-                report.error(at, format!("column `{name}`: a file has joint positions or poses"));
+                report.error(at, format!("column `{name}`: a file has either joint positions or poses"));
             }
             Some((_, column)) if columns.iter().flatten().any(|(_, other)| other.place == column.place) => {
-                report.error(at, format!("column `{name}`: there is one of this already"));
+                report.error(at, format!("column `{name}` appears twice"));
             }
             Some(_) => {}
         }

@@ -27,14 +27,14 @@ jaka_proto::worded! {
         GrantRemoteControl => "grant remote control on the controller's panel",
         /// Find the user of servo mode.
         SeeServoMode =>
-            "wait until the arm rests, and find out which program uses servo mode; `set_servo_mode` with off leaves it",
+            "wait until the arm is at rest, and find the program that uses servo mode; `set_servo_mode` with off ends servo mode",
         /// Wait for the end of the motion, or stop it.
-        WaitOrStop => "wait for its end, or stop it",
+        WaitOrStop => "wait for the end of the motion, or stop it",
         /// Look at the arm before it moves again.
         LookAtArm => "look at the arm, then call `acknowledge`",
         /// Select the frames of the motion.
         SelectFrames =>
-            "find out who has changed it, and select the frames for which the motion is meant (`set_tool_id`, \
+            "find the person or program that changed it, and select the frames of the motion (`set_tool_id`, \
              `set_user_id`)",
         /// Stop the arm with the emergency stop, or connect again and stop it.
         ConnectAndStop => "use the emergency stop, or connect again and stop the arm",

@@ -63,7 +63,7 @@ impl fmt::Display for LagBeyondReaction {
         write!(
             f,
             "the arm lagged {at_least}{lag:?} behind its set-points, {perhaps}longer than the limit's reaction of \
-             {reaction:?}: the tool may have gone on for longer than the overtravel"
+             {reaction:?}: the tool may have moved further than the overtravel"
         )
     }
 }

@@ -103,7 +103,7 @@ jaka_proto::worded! {
             /// Assumed deceleration of the tool while it brakes, in mm/s².
             braking_mm_s2: f64,
         } =>
-            "at {speed_mm_s} mm/s the tool goes on for more than {overtravel_mm} mm after a contact; permitted are {permitted_mm_s:.2} mm/s, with up to \
+            "at {speed_mm_s} mm/s the tool moves more than {overtravel_mm} mm after a contact; permitted are {permitted_mm_s:.2} mm/s, with up to \
              {period:.1?} between packets, {reaction:.1?} of reaction and braking with {braking_mm_s2} mm/s²",
         /// A trajectory is too fast somewhere.
         TooFastAlong {
@@ -126,7 +126,7 @@ jaka_proto::worded! {
             /// The even deceleration that the braking along the trajectory comes to, in mm/s².
             braking_mm_s2: f64,
         } =>
-            "after way-point {after}, at {time_s:.3} s, with up to {speed_mm_s:.2} mm/s the tool goes on for {way_mm:.2} mm after a contact, \
+            "after way-point {after}, at {time_s:.3} s, with up to {speed_mm_s:.2} mm/s the tool moves {way_mm:.2} mm after a contact, \
              and {overtravel_mm} mm are allowed; permitted are {permitted_mm_s:.2} mm/s there, with up to {period:.1?} between packets, \
              {reaction:.1?} of reaction and braking with {braking_mm_s2:.0} mm/s² along it",
         /// A trajectory leaves the joints no acceleration somewhere to brake along it within 0.5 s, and moves the tool
@@ -137,7 +137,7 @@ jaka_proto::worded! {
             /// Time of the contact, in seconds of the trajectory.
             time_s: f64,
         } =>
-            "after way-point {after}, at {time_s:.3} s, it leaves the joints no acceleration to brake along it within 0.5 s of a \
+            "after way-point {after}, at {time_s:.3} s, the trajectory leaves the joints no acceleration to brake along it within 0.5 s of a \
              contact",
         /// The motion does not determine the speed of the tool centre point: only a line or an arc does.
         SpeedUnknown =>

@@ -178,7 +178,7 @@ impl End {
     fn planned(&self) -> String {
         let mut line = Line::of(self.occurrence.cause, self.occurrence.to_string());
         line = match &self.stop {
-            Some(Ok(())) => line.followed_by("the arm was told to stop", None),
+            Some(Ok(())) => line.followed_by("a stop was sent and accepted", None),
             Some(Err(error)) => line.followed_by(STOP_NOT_ACCEPTED, Some(error)),
             None if self.phase() == Phase::MayStillMove => line.followed_by("the arm may still move", None),
             None => line,
@@ -240,7 +240,7 @@ impl fmt::Display for End {
             write!(f, " ({reached:.3} s of {duration:.3} s of the trajectory), and the arm {rest}")?;
         }
         if self.may_hide_error() {
-            f.write_str("; status packets never have an error code: an error of the controller is not seen")?;
+            f.write_str("; status packets have no error code, so an error of the controller is not seen")?;
         }
         Ok(())
     }

@@ -174,8 +174,7 @@ jaka_proto::worded! {
             /// Distance of that position from all its set-points of the last half second, in degrees.
             off_deg: f64,
         } =>
-            "a joint does not follow its set-points: joint {joint} is at {at_deg:.2} deg, {off_deg:.2} deg from all of \
-             the last half second",
+            "a joint does not follow its set-points: joint {joint} is at {at_deg:.2} deg, {off_deg:.2} deg from each set-point of the last half second",
         /// A set-point of a servo session, a stream or a trajectory was due too long ago, because the machine was too
         /// busy: it was not sent, and the session has ended without set-points that brake. Give the thread a priority
         /// (`ServoConfig::realtime_priority`), or the machine less to do.
@@ -564,7 +563,7 @@ fn not_at_start(joint: usize, at_deg: f64, start_deg: f64) -> String {
     let off_deg = (start_deg - at_deg).abs();
     let digits = if off_deg < 1e-3 { 6 } else { 3 };
     format!(
-        "the trajectory was not started: it starts with joint {joint} at {start_deg:.digits$} deg, and the arm has it at {at_deg:.digits$} deg, \
+        "the trajectory was not started: it starts with joint {joint} at {start_deg:.digits$} deg, but the joint is at {at_deg:.digits$} deg, \
          {off_deg:.digits$} deg away"
     )
 }

@@ -7,7 +7,7 @@ use jaka_proto::messages::types::{JointPosition, Pose};
 use super::commands::Commands;
 use super::finding::{CheckItem, Finding, Judgement, either};
 
-const NO_MODEL: &str = "there is no model that agrees with the controller";
+const NO_MODEL: &str = "no model agrees with the controller";
 
 /// The arm that the robot should be, if it is known.
 #[derive(Debug, Clone, Default)]
@@ -41,7 +41,7 @@ fn one(limits: &Limits, dh: Option<&GetDhParamReply>, commands: &mut Commands<'_
     match limits.model().fit(&pairs, Tolerance::default()) {
         Ok(fit) => {
             let agreeing = vec![(limits.clone(), fit.frames)];
-            Ok((Judgement::nothing(format!("poses are those of a {}", names(&agreeing))), agreeing))
+            Ok((Judgement::nothing(format!("poses agree with a {}", names(&agreeing))), agreeing))
         }
         Err(error) => {
             let advice = "look at the arm's name plate: limits of another model do not fit this arm";
@@ -57,7 +57,7 @@ fn published(dh: Option<&GetDhParamReply>, commands: &mut Commands<'_>) -> Found
     let fits = |model| Some((Limits::of(model), model.fit(&pairs, Tolerance::default()).ok()?.frames));
     let agreeing: Vec<_> = Model::published().iter().filter_map(fits).collect();
     if !agreeing.is_empty() {
-        return Ok((Judgement::nothing(format!("poses are those of {}", names(&agreeing))), agreeing));
+        return Ok((Judgement::nothing(format!("poses agree with {}", names(&agreeing))), agreeing));
     }
     if let Some(agreeing) = Model::published().iter().find_map(|model| calibrated(model, dh, &pairs)) {
         return Ok((own_parameters(&agreeing), vec![agreeing]));
@@ -75,8 +75,8 @@ fn calibrated(model: &Model, dh: Option<&GetDhParamReply>, pairs: &Pairs) -> Opt
 
 fn own_parameters(agreeing: &Agreeing) -> Judgement {
     let name = agreeing.0.model().name();
-    let seen = format!("a {name}, with parameters of its own: the published ones are too far off");
-    Judgement::look(seen, "make its model of `get_dh_param`, by `Model::with_dh`")
+    let seen = format!("a {name}, with its own parameters: the published ones differ too much");
+    Judgement::look(seen, "build its model from `get_dh_param` with `Model::with_dh`")
 }
 
 fn difference(error: &FitError) -> String {
@@ -117,7 +117,7 @@ fn parameters(agreeing: &[Agreeing], reply: &GetDhParamReply) -> Judgement {
     let mut differs = None;
     for model in agreeing.iter().map(|(limits, _)| limits.model()) {
         match model.with_dh(reply) {
-            Ok(_) => return Judgement::nothing(format!("those of a {}, or near them", model.name())),
+            Ok(_) => return Judgement::nothing(format!("equal or close to those of a {}", model.name())),
             Err(mismatch) => differs = differs.or(Some(mismatch)),
         }
     }
@@ -136,7 +136,7 @@ fn place(agreeing: &[Agreeing], commands: &mut Commands<'_>) -> Judgement {
         let beyond =
             agreeing.iter().find_map(|(limits, frames)| Checker::new(limits.clone(), *frames).check_place(at).err());
         let Some(beyond) = beyond else {
-            return Judgement::nothing(format!("the arm is within those of {}", names(agreeing)));
+            return Judgement::nothing(format!("the arm is within the limits of {}", names(agreeing)));
         };
         let seen = match &beyond.exceeded {
             Exceeded::JointRange { joint, position_deg, limit_deg } => {

@@ -58,13 +58,16 @@ impl<'m> Count<'m> {
                 return Err(Judgement::wrong(format!("the last status packet came {age:.1?} ago"), SILENT));
             }
             Err(StatusProblem::Resuming) => {
-                return Err(Judgement::wrong("status packets come again after a silence, and may be old", SILENT));
+                return Err(Judgement::wrong(
+                    "status packets have just resumed after a silence, and may be old",
+                    SILENT,
+                ));
             }
             Err(_) => state.newest_packet(),
         };
         let newest = newest.ok_or_else(no_packet)?;
         findings.extend([
-            Judgement::nothing("packets come").at(CheckItem::StatusPort),
+            Judgement::nothing("packets arrive").at(CheckItem::StatusPort),
             rate(arrived(&after).saturating_sub(arrived(&self.before)), elapsed).at(CheckItem::StatusRate),
             form(&newest, source.absent(), after.dropped_bytes.saturating_sub(self.before.dropped_bytes))
                 .at(CheckItem::StatusPackets),
@@ -179,7 +182,7 @@ fn form(newest: &Snapshot, absent: &[&str], dropped: u64) -> Judgement {
     }
     let is_whole = seen.is_empty();
     if !absent.is_empty() {
-        seen.push(format!("never there, as declared: {}", absent.join(", ")));
+        seen.push(format!("absent, as declared: {}", absent.join(", ")));
     }
     let seen = seen.join("; ");
     if newest.unreadable().is_some() {
@@ -187,9 +190,9 @@ fn form(newest: &Snapshot, absent: &[&str], dropped: u64) -> Judgement {
         return Judgement::wrong(seen, &advice);
     }
     match (is_whole, absent) {
-        (true, []) => Judgement::nothing("whole"),
+        (true, []) => Judgement::nothing("complete"),
         (true, absent) if absent.contains(&"error_code") => Judgement::look(seen, NO_ERRORS),
-        (true, _) => Judgement::nothing(format!("whole; {seen}")),
+        (true, _) => Judgement::nothing(format!("complete; {seen}")),
         (false, _) => Judgement::look(seen, PROBE),
     }
 }

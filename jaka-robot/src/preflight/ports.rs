@@ -76,8 +76,8 @@ pub(super) fn failure(error: &Error) -> String {
 pub(super) fn advice(error: &Error) -> &'static str {
     match error.kind() {
         ErrorKind::Refused { refusal, .. } if refusal.code == ErrorCode::PERMISSION_DENIED => REMOTE_CONTROL,
-        ErrorKind::Refused { .. } => "look at it at the pendant: this controller does not answer the query",
-        ErrorKind::UnexpectedReply { .. } => "look at it at the pendant; `jaka probe` shows the reply",
+        ErrorKind::Refused { .. } => "read it at the pendant: this controller does not answer the query",
+        ErrorKind::UnexpectedReply { .. } => "read it at the pendant; `jaka probe` shows the reply",
         ErrorKind::Disconnected { .. } => ANOTHER_CLIENT,
         _ => "check the network and the load of the controller, then run the check again",
     }
@@ -85,7 +85,7 @@ pub(super) fn advice(error: &Error) -> &'static str {
 
 fn not_connected(address: &str, source: &io::Error, refused: &'static str) -> (String, &'static str) {
     match source.kind() {
-        io::ErrorKind::ConnectionRefused => (format!("{address} takes no connection ({source})"), refused),
+        io::ErrorKind::ConnectionRefused => (format!("{address} refuses the connection ({source})"), refused),
         io::ErrorKind::TimedOut
         | io::ErrorKind::WouldBlock
         | io::ErrorKind::HostUnreachable
@@ -102,13 +102,13 @@ fn lost(cause: &Disconnect, closed: &'static str) -> (String, &'static str) {
         Disconnect::Closed { .. } => ("the controller closed the connection".to_owned(), closed),
         Disconnect::Read(_) | Disconnect::Write(_) => (chain(cause), closed),
         Disconnect::StatusPort => {
-            ("status packets come from here".to_owned(), "this is the status port: commands go to port 10001")
+            ("this port sends status packets".to_owned(), "this is the status port: commands go to port 10001")
         }
         Disconnect::CommandPort => {
-            ("replies to commands come from here".to_owned(), "this is the command port: packets come from port 10000")
+            ("this port sends replies to commands".to_owned(), "this is the command port: packets come from port 10000")
         }
         Disconnect::Frame(error) if is_text_line(error) => {
-            (chain(cause), "this firmware is older than the protocol: ask the vendor for a newer one")
+            (chain(cause), "this firmware is older than the protocol: ask the vendor for newer firmware")
         }
         Disconnect::Frame(_) | Disconnect::NotJson(_) => (chain(cause), NOT_A_CONTROLLER),
         _ => (chain(cause), "connect again"),

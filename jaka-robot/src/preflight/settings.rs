@@ -90,8 +90,8 @@ fn protective_stop(commands: &mut Commands<'_>, packet: Option<&RobotStatus>) ->
             "the robot is in a protective stop",
             "find the obstacle, free the arm, and call `clear_error`",
         ),
-        (Ok(false), _) => Judgement::nothing("not in one"),
-        (Err(failed), Some(false)) if failed.verdict == Verdict::NotChecked => Judgement::nothing("not in one"),
+        (Ok(false), _) => Judgement::nothing("not active"),
+        (Err(failed), Some(false)) if failed.verdict == Verdict::NotChecked => Judgement::nothing("not active"),
         (Err(failed), _) => failed,
     }
 }
@@ -104,7 +104,7 @@ fn off(is_on: bool, leave: &str) -> Judgement {
 fn program(state: &ProgramState, packet: Option<&RobotStatus>) -> Judgement {
     let paused = packet.is_some_and(|packet| packet.paused == Some(true));
     match state {
-        ProgramState::Idle if !paused => Judgement::nothing("none runs"),
+        ProgramState::Idle if !paused => Judgement::nothing("no program runs"),
         ProgramState::Running => {
             Judgement::look("a program runs", "it may move the arm: stop it first, or wait for its end")
         }
@@ -112,9 +112,7 @@ fn program(state: &ProgramState, packet: Option<&RobotStatus>) -> Judgement {
             "a program is paused",
             "it may move the arm when somebody resumes it: `stop_program` ends it",
         ),
-        other => {
-            Judgement::look(format!("the state is {:?}, which is not known", other.as_ref()), "look at the pendant")
-        }
+        other => Judgement::look(format!("unknown state {:?}", other.as_ref()), "look at the pendant"),
     }
 }
 
@@ -125,7 +123,7 @@ fn frame(id: i64, fixed: &str, offsets: impl FnOnce() -> Result<Vec<Pose>, Judge
     }
     let offsets = offsets()?;
     let Some(offset) = usize::try_from(id).ok().and_then(|id| offsets.get(id)) else {
-        let advice = "look at its offset at the pendant: poses are of this frame";
+        let advice = "look at its offset at the pendant: poses refer to this frame";
         return Ok(Judgement::look(format!("{id}, without an offset from the controller"), advice));
     };
     if <[f64; 6]>::from(*offset).iter().all(|part| *part == 0.0) {
@@ -148,6 +146,6 @@ fn collision_level(level: i64) -> Judgement {
     match level {
         0 => Judgement::look("0: collision detection is off", "switch it on: `set_clsn_sensitivity`"),
         level if COLLISION_LEVELS.contains(&level) => Judgement::nothing(level.to_string()),
-        level => Judgement::look(format!("{level}, which is not known"), "look at the pendant"),
+        level => Judgement::look(format!("unknown level {level}"), "look at the pendant"),
     }
 }

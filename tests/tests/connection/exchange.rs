@@ -326,7 +326,7 @@ fn a_client_that_is_dropped_closes_its_connection_and_its_stop_handle_says_so() 
     let error = stop.stop().expect_err("the connection is closed");
     assert!(error.is_disconnected() && !error.may_have_run(), "{error:?}");
     let source = std::error::Error::source(&error).expect("the cause is told");
-    assert_eq!(source.to_string(), "the client was dropped, and its connection with it");
+    assert_eq!(source.to_string(), "the client was dropped, which closed its connection");
 }
 
 #[test]
@@ -370,7 +370,7 @@ fn status_packets_on_the_command_connection_are_distinguished_from_replies() {
     let source = std::error::Error::source(&error).expect("the cause is told");
     assert_eq!(
         source.to_string(),
-        "a status packet came instead of a reply: this is the status port, port 10001 takes commands"
+        "received a status packet instead of a reply: this is the status port; commands go to port 10001"
     );
 }
 
@@ -382,7 +382,7 @@ fn replies_on_the_status_connection_are_distinguished_from_packets() {
     let source = std::error::Error::source(&error).expect("the cause is told");
     assert_eq!(
         source.to_string(),
-        "a reply to a command came instead of a status packet: this is the command port, port 10000 sends the status"
+        "received a reply to a command instead of a status packet: this is the command port; status packets come from port 10000"
     );
 }
 

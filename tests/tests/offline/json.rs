@@ -121,7 +121,7 @@ fn limits_that_make_no_sense_are_not_read() {
         (
             "box",
             json!([{"name": "a", "of": "tcp", "frame": "base", "keep": "outside", "min_mm": [0, 0, 0], "max_mm": [1, 1, 0]}]),
-            "box `a`: a side of 0 mm; a box is not thinner than 0 mm, and than 1 mm if kept outside of",
+            "box `a`: a side of 0 mm; a side is at least 0 mm, and at least 1 mm if the arm stays outside",
         ),
         ("half_space", json!([{"name": "a", "of": "tcp"}]), "missing field `frame`"),
         (

@@ -53,7 +53,11 @@ fn every_link_of_a_page_leads_somewhere() {
             let target = if file.is_empty() { page.clone() } else { page.with_file_name(file) };
             assert!(target.exists(), "{}: {link}", page.display());
             // Sources of rustdoc, which a forge shows with hidden lines and without links.
-            assert!(!file.contains("jaka-sync/docs/") && !file.contains("jaka-robot/docs/"), "{}: {link}", page.display());
+            assert!(
+                !file.contains("jaka-sync/docs/") && !file.contains("jaka-robot/docs/"),
+                "{}: {link}",
+                page.display()
+            );
             assert!(anchor.is_empty() || anchors(&read(&target)).contains(anchor), "{}: {link}", page.display());
             count += 1;
         }

@@ -273,7 +273,7 @@ fn the_deadline_stops_the_motion() {
     let end = end.expect("the motion is accepted");
     assert!(end.cause() == Cause::Deadline && matches!(end.stop, Some(Ok(()))), "{end:?}");
     let text = end.reached().expect_err("it was not").to_string();
-    assert!(text.ends_with("; the arm was told to stop"), "{text}");
+    assert!(text.ends_with("; a stop was sent and accepted"), "{text}");
     until(arm.clock(), || arm.state().at_rest);
     assert_stopped_on_the_way(&arm);
 }

@@ -110,7 +110,7 @@ fn a_timeout_tells_what_the_last_packet_says_of_the_input() {
     controller.packet_to(&robot, r#""din": [0, 1], "ain": [0.5]"#);
     let error = robot.wait_for_input(IO.cabinet(1).is_high(), Duration::from_millis(20)).expect_err("it is low");
     assert!(matches!(jaka_tests::failure(&error), Some(Failure::StateTimeout { .. })), "{error:?}");
-    assert!(error.to_string().ends_with("the last one says: digital input 1 of the cabinet (counted from 1) is low"));
+    assert!(error.to_string().ends_with("the last packet: digital input 1 of the cabinet (counted from 1) is low"));
     let wait = robot.wait_for_analog(IO.cabinet_analog(1).rises_above(2.5), Duration::from_millis(20));
     let text = wait.expect_err("it is not above").to_string();
     assert!(text.ends_with("analog input 1 of the cabinet (counted from 1) is at 0.5"), "{text}");

@@ -109,7 +109,7 @@ fn a_preflight_tells_what_packets_never_have() {
     let addresses = (arm.command_addr(), arm.status_addr());
     let preflight = Preflight::read_as::<mapped::RobotStatus>(&arm.config(), addresses.0, addresses.1, None);
     let found = status_packets(&preflight);
-    let seen = "never there, as declared: error_code, error_message";
+    let seen = "absent, as declared: error_code, error_message";
     assert_eq!((found.verdict(), found.seen()), (Verdict::Look, seen));
     assert_eq!(status_packets(&robot::<mapped::RobotStatus>(&arm).preflight()), found);
     // The built-in type cannot read this controller's stop.

@@ -210,7 +210,7 @@ fn a_start_elsewhere_is_refused_unless_an_approach_is_asked_for() {
     let error = robot.start_follow(&made(&curve), &config()).expect_err("the arm is elsewhere");
     assert_eq!(
         error.to_string(),
-        "the trajectory was not started: it starts with joint 3 at 80.000 deg, and the arm has it at 78.000 deg, 2.000 deg away; move the arm there \
+        "the trajectory was not started: it starts with joint 3 at 80.000 deg, but the joint is at 78.000 deg, 2.000 deg away; move the arm there \
          first, or set an approach (`FollowConfig::approach`)"
     );
     assert_nothing_sent(&arm);

@@ -36,7 +36,7 @@ pub(super) fn obtain(
     if options.raw {
         let name = &request.name;
         return Err(Failure::Usage(format!(
-            "`{name}` was not sent: its effect is not known when it is sent unchecked; use --yes if you know it"
+            "`{name}` was not sent: the effect of a command sent with --raw is not known; use --yes if you know it"
         )));
     }
     if role(request) == Some(Role::Stop) {
@@ -64,8 +64,7 @@ pub(super) fn warn_of_stops(protocol: &Protocol, options: &Options) {
     if !stops.is_empty() {
         let stops = words::list(&stops, "and");
         output::warning(&format!(
-            "{stops} will not be sent: a pack says that it stops the arm, and nobody has confirmed that; name the pack \
-             in the config file, or use --yes"
+            "{stops} will not be sent: only a pack declares this as a stop, and the pack is not confirmed; name the pack in the config file, or use --yes"
         ));
     }
 }

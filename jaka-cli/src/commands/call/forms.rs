@@ -43,7 +43,10 @@ impl FirmwareForms {
         }
         let Some(forms) = &self.0 else { return Ok(as_it_is) };
         let text = forms.request(&command.wire, &request.text).ok_or_else(|| {
-            Failure::Usage(format!("`{}` was not sent: the controller's firmware has no form of a value", request.name))
+            Failure::Usage(format!(
+                "`{}` was not sent: the controller's firmware has no form for one of the values",
+                request.name
+            ))
         })?;
         Ok(Outgoing { text: Cow::Owned(text), command: Some(command), forms: Some(forms) })
     }
@@ -72,6 +75,6 @@ pub(super) fn must_be_known(protocol: &Protocol, request: &Request<'_>) -> Resul
     if !protocol.spec.has_forms(&fields) {
         return Ok(());
     }
-    let fact = "its bytes depend on the controller's firmware, for which a dry run does not ask";
+    let fact = "its bytes depend on the controller's firmware, which a dry run does not query";
     Err(Failure::Usage(format!("`{}` is not shown: {fact}", request.name)))
 }

@@ -102,17 +102,17 @@ fn unchecked<'s>(name: Option<&str>, text: &str) -> Result<Request<'s>, Failure>
 }
 
 fn two_names(command: &str, name: &Value) -> Failure {
-    Failure::Usage(format!("the request is one of {name}, not of `{command}`"))
+    Failure::Usage(format!("the request names {name}, the command line `{command}`"))
 }
 
 fn nameless() -> Failure {
-    Failure::Usage(format!("no command is named: name it on the line, or as `{COMMAND_NAME}` in the request"))
+    Failure::Usage(format!("no command name: give it on the command line, or as `{COMMAND_NAME}` in the request"))
 }
 
 fn forbidden(command: &Command, problems: &[Problem]) -> Failure {
     let lines: Vec<_> = problems.iter().map(|problem| format!("\n  {problem}")).collect();
     let hint = if problems.iter().all(|problem| problem.advisory) {
-        "\nhint: `--advisory-ranges ignore` leaves it to the controller"
+        "\nhint: `--advisory-ranges ignore` leaves the check to the controller"
     } else {
         ""
     };

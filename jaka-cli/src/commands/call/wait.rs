@@ -16,7 +16,7 @@ pub(super) fn motion(protocol: &Protocol, request: &Request<'_>, text: &str) -> 
     let Some(command) = request.command else { return Ok(None) };
     let motion = jaka_dynamic::motion(&protocol.spec, builtin::spec(), command, &request.text);
     let motion = motion.map_err(|problem| {
-        Failure::Usage(format!("`{}` was not sent: it cannot be waited for: {problem}", request.name))
+        Failure::Usage(format!("`{}` was not sent: jaka cannot wait for its end: {problem}", request.name))
     })?;
     Ok(motion.map(|motion| {
         let text = MotionText::new(protocol.info(command), text);

@@ -101,8 +101,7 @@ impl PlanArgs {
             return Ok(Plan::Curve(name, curve, about));
         }
         if self.corner_mm.is_none() && self.corner_deg.is_none() {
-            let why = "its points have no times: --within-mm or --within-deg lead along a smooth curve near them, \
-                       --corner-mm or --corner-deg through them";
+            let why = "its points have no times: --within-mm or --within-deg plans a smooth curve near them, --corner-mm or --corner-deg a path through them";
             return Err(Failure::Usage(format!("{name}: {why}")));
         }
         let (mm, deg) = (self.corner_mm.unwrap_or_default(), self.corner_deg.unwrap_or_default());

@@ -91,12 +91,8 @@ pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker)
     let _ = writeln!(out, "{:10}{:>26}", "flange", format!("{}{most} mm/s", fixed(peaks.tool, 1)));
     for place in trajectory.slow_places().iter().take(SLOW_PLACES) {
         let percent = fixed(100.0 * place.share, 0);
-        let _ = writeln!(
-            out,
-            "at {} s {percent} % of the tool's speed: {} allows no more",
-            fixed(place.time_s, 3),
-            place.by
-        );
+        let _ =
+            writeln!(out, "at {} s: {percent} % of the tool's speed, limited by {}", fixed(place.time_s, 3), place.by);
     }
     out
 }

@@ -61,7 +61,7 @@ fn busy_wait(lateness: &Lateness) -> Verdict {
     if spinning * 2 <= asleep {
         (CHANGE, format!("spin before each cycle, with `ServoConfig::busy_wait` of {SPIN:?}: {compared}"))
     } else {
-        (LEAVE, format!("spinning does not halve it: {compared}"))
+        (LEAVE, format!("spinning does not halve the lateness: {compared}"))
     }
 }
 
@@ -80,7 +80,7 @@ fn priority(lateness: &Lateness) -> Verdict {
         Ok(realtime) if share(realtime) < share(&lateness.usual) => (
             CHANGE,
             format!(
-                "ask for a real-time priority, with `ServoConfig::realtime_priority({PRIORITY})` (feature `realtime`): {}, {counts} without it",
+                "set a real-time priority, with `ServoConfig::realtime_priority({PRIORITY})` (feature `realtime`): {}, {counts} without it",
                 late(realtime)
             ),
         ),
@@ -89,7 +89,7 @@ fn priority(lateness: &Lateness) -> Verdict {
 }
 
 fn core(lateness: &Lateness) -> Verdict {
-    const KEEP: &str = "keep a core for the cycle: `isolcpus` on the command line of the kernel, and `taskset` for the program; otherwise a \
+    const KEEP: &str = "reserve a core for the cycle: `isolcpus` on the command line of the kernel, and `taskset` for the program; otherwise a \
                         real-time kernel (PREEMPT_RT), no power saving, no virtual machine";
     match &lateness.realtime {
         Ok(waits) if waits.at_least(LATE) > 0 => (CHANGE, format!("{} with a real-time priority: {KEEP}", late(waits))),
@@ -120,14 +120,14 @@ fn gaps(lateness: &Lateness) -> Option<Verdict> {
     let gaps = waits.at_least(GAP);
     let cycles = count(gaps, "cycle");
     let text = format!(
-        "{cycles} began {GAP:?} late or more: in a motion the arm would have stood; move no arm from this machine before that is cured"
+        "{cycles} began {GAP:?} late or more: in a motion the arm would have stopped; do not move an arm from this machine before this is fixed"
     );
     (gaps > 0).then_some((CHANGE, text))
 }
 
 fn seconds(waits: &Waits) -> Option<Verdict> {
     let cycles = waits.asleep.count();
-    let text = format!("measure for longer, such as 60 s: {} of each way say little", count(cycles, "cycle"));
+    let text = format!("measure for longer, such as 60 s: {} of each kind are too few", count(cycles, "cycle"));
     (cycles < FEWEST).then_some((CHANGE, text))
 }
 

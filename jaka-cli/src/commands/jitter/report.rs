@@ -40,7 +40,7 @@ fn rows(measured: &Measured) -> [LatenessRow<'_>; 4] {
 /// Returns two tables, and advice on changes.
 pub(super) fn text(measured: &Measured) -> String {
     let period = ServoConfig::new().period();
-    let mut text = format!("How late cycles of {period:?} begin on this machine, in µs\n\n");
+    let mut text = format!("Lateness of cycles of {period:?} on this machine, in µs\n\n");
     let heads = format!("{:?} or more", period * 3);
     let columns = ["cycles", "p50", "p90", "p99", "max", &format!("{period:?} or more"), &heads];
     line(&mut text, "", columns.map(str::to_owned));
@@ -56,12 +56,12 @@ pub(super) fn text(measured: &Measured) -> String {
     }
     if let Some(round_trip) = &measured.round_trip {
         let times = &round_trip.times;
-        writeln!(text, "\nHow long replies of {} to `{}` take, in µs\n", round_trip.robot, GetJointPos::INFO.name).ok();
+        writeln!(text, "\nTime until replies of {} to `{}`, in µs\n", round_trip.robot, GetJointPos::INFO.name).ok();
         line(&mut text, "", ["replies", "p50", "p99", "max"].map(str::to_owned));
         let [p50, p99, most] = [50, 99, 100].map(|percent| fixed(micros(times.within(percent)), 1));
         line(&mut text, "", [times.count().to_string(), p50, p99, most]);
     }
-    text.push_str("\nWhat to change\n\n");
+    text.push_str("\nRecommendations\n\n");
     for advice in advice::on(measured) {
         writeln!(text, "{:<10} {:<13} {}", advice.item, advice.verdict, advice.text).ok();
     }

@@ -48,7 +48,7 @@ fn head(version: &str, packs: &[String]) -> String {
         format!("# It applies on top of {}.\n", visible(&packs.join(", ")))
     };
     format!(
-        "# A draft by `jaka probe`: find out what TODO asks for, and correct names and types that were guessed.\n\
+        "# A draft by `jaka probe`: answer each TODO, and correct guessed names and types.\n\
          {on_top_of}title = {title}\n"
     )
 }
@@ -147,7 +147,7 @@ impl<'f> Draft<'f> {
         let entry = format!("[[override]]\ntarget = {target}\n{} = {was}\nwire = {is}\n", old.part);
         if self.loads(&format!("\n{entry}")) {
             let comment = comment(&format!(
-                "TODO: a proposal, to be checked by somebody. {}: `{}` is missing, and `{}` is new and looks like it: {}",
+                "TODO: check this proposal. {}: `{}` is missing, and `{}` is new and looks like it: {}",
                 finding.name,
                 key(field),
                 location.key,
@@ -252,7 +252,7 @@ impl<'f> Draft<'f> {
         let target = quoted(location.target);
         let entry =
             format!("[[override]]\ntarget = {target}\n{} = {}\n{change}\n", location.part, quoted(location.key));
-        let comment = comment(&format!("TODO: whether this is right. {}: {departure}", finding.name));
+        let comment = comment(&format!("TODO: check this change. {}: {departure}", finding.name));
         if let Some(form) = self.form(finding, departure, &location).filter(|form| self.loads(&format!("\n{form}"))) {
             self.text.extend(["\n", &comment, &form]);
             self.written.push(location);

@@ -66,13 +66,13 @@ impl ProxyPort {
                 // The thread of each reader has one reference.
                 if self.port == Port::Status && Arc::strong_count(&self) > MOST_READERS {
                     pipe::reset(&accepted);
-                    return Err(io::Error::other(format!("{MOST_READERS} read there already")));
+                    return Err(io::Error::other(format!("{MOST_READERS} clients are connected to it already")));
                 }
                 let port_proxy = Arc::clone(&self);
                 thread::Builder::new().spawn(move || port_proxy.attend(&accepted)).map(drop)
             });
             if let Err(error) = accepted {
-                warn(&format!("a client of the {} port is lost: {error}", self.port.word()));
+                warn(&format!("cannot serve a client of the {} port: {error}", self.port.word()));
                 thread::sleep(REST);
             }
         }

@@ -87,7 +87,7 @@ pub(super) fn facts(session: &Session<'_>) -> String {
     ];
     let counts = [
         ("not a packet", packets.unreadable as u64),
-        ("numbers beyond any arm's, not drawn", packets.undrawn as u64),
+        ("numbers out of the range of any arm, not drawn", packets.undrawn as u64),
         ("entries missing", entries().map(missing).fold(0, u64::saturating_add)),
     ];
     facts.extend(counts.into_iter().filter(|(_, count)| *count > 0).map(|(name, count)| (name, count.to_string())));
@@ -99,7 +99,7 @@ pub(super) fn facts(session: &Session<'_>) -> String {
             .map(|error| ("cut off", format!("the file ends in the middle of a line: {error}"))),
     );
     let rows = facts.into_iter().map(|(name, value)| vec![name.to_owned(), text(&value)]);
-    table(&[], rows) + &paragraph("Status packets have no time stamp: times are those at which they arrived.")
+    table(&[], rows) + &paragraph("Status packets have no time stamp: times are times of arrival.")
 }
 
 fn connections<'r>(entries: impl Iterator<Item = &'r Entry>) -> String {
@@ -126,7 +126,7 @@ pub(super) fn problems(session: &Session<'_>) -> String {
         let messages = messages(session.messages_before(problem.time, BEFORE));
         vec![seconds(problem.time), text(&problem.what) + &again, messages]
     });
-    let titles = ["time (s)", "what", "the last messages of the command port up to then"];
+    let titles = ["time (s)", "what", "last messages of the command port until then"];
     list(&titles, rows, "row").unwrap_or_else(|| paragraph("The recording shows none."))
 }
 

@@ -60,7 +60,7 @@ pub(super) fn sections(session: &Session<'_>) -> Result<Vec<(&'static str, &'sta
 }
 
 const SPEEDS: &str = "Of the joints: means over 0.1 s or more, from the positions and the times at which packets arrived, so that shorter peaks are not shown. \
-                      Of the tool centre point: as status packets say.";
+                      Of the tool centre point: by status packets.";
 
 fn none(packets: &Packets) -> String {
     if packets.count == 0 { "The recording has no status packets." } else { "No status packet has these fields." }
@@ -161,7 +161,7 @@ fn requests(session: &Session<'_>) -> Result<Content, Failure> {
     if requests.is_empty() {
         return Ok(("The recording has no requests.".to_owned(), Vec::new()));
     }
-    let text = "How long replies took, at the time of the request. A dot: accepted; a triangle: refused; a cross at the top: no reply is recorded. \
+    let text = "Time until the reply, at the time of the request. A dot: accepted; a triangle: refused; a cross at the top: no reply is recorded. \
                 Of requests at almost the same time the slowest is drawn. Time in s since the recording began."
         .to_owned();
     Ok((text, vec![calls(session.end, requests)?]))
@@ -181,7 +181,7 @@ fn lateness(lateness: &SetPointLateness) -> Result<Content, Failure> {
         return Ok(("The recording has no set-points that follow each other.".to_owned(), Vec::new()));
     };
     let text = format!(
-        "By how many ms the time between two set-points (servo_j, servo_p) was longer than the period of the first, as the program sent them: {}; median {median:.3}, \
+        "Excess in ms of the time between two set-points (servo_j, servo_p) over the period of the first, as the program sent them: {}; median {median:.3}, \
          99th percentile {p99:.3}, latest {latest:.3}; late by 8 or more: {}, by 24 or more: {}. Heights are logarithmic.",
         count(lateness.count(), "interval"),
         lateness.late_by(8.0),

@@ -13,7 +13,7 @@ pub(super) fn text() -> String {
         "Faults, an example of each:\n  of replies:  {}\n  `status …`:  {}\n\n\
          A reply takes the next one of the list. `for joint_move: drop` is for the replies to a command, `always drop` for all, and \
          `random 7 1/20 drop, reset` for one in twenty, with a seed. The README of jaka-sim explains them.\n\n\
-         What `--schedule` and `--stdin` can have happen, inputs by their place from 0:\n  {}\n\n\
+         Events for `--schedule` and `--stdin`, with inputs counted from 0:\n  {}\n\n\
          `link` has a port (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or `both`), and a fault: {}\n\n\
          With `--keys`: {}",
         list(&Fault::one_of_each()),

@@ -153,7 +153,7 @@ impl PacketSource {
         if std::mem::take(&mut silence.was_told) && self.prints_all() {
             let lasted = lasted.as_secs_f64();
             output::warning(&format!(
-                "status packets come again, after {lasted:.1} s: the first ones may be old ones that the network had held back"
+                "status packets resumed after {lasted:.1} s; the first ones may be old, held back by the network"
             ));
         }
     }

@@ -59,7 +59,7 @@ impl Until {
             Some(last) => format!("the last packet: {last}"),
             None => "no status packet came".to_owned(),
         };
-        Err(Failure::NotInTime(format!("`{}` did not hold within {limit:?}; {last}", self.condition)))
+        Err(Failure::NotInTime(format!("`{}` was not true within {limit:?}; {last}", self.condition)))
     }
 }
 
@@ -76,9 +76,9 @@ mod tests {
         let condition = || "enabled || rapid_rate > 1".parse().expect("it is one");
         let mut until = Until::new(condition(), Some(Duration::ZERO));
         let text = |failed: Result<(), Failure>| failed.expect_err("the time is over").to_string();
-        expect!["`enabled || rapid_rate > 1` did not hold within 0ns; no status packet came"]
+        expect!["`enabled || rapid_rate > 1` was not true within 0ns; no status packet came"]
             .assert_eq(&text(until.check_time()));
-        expect!["`enabled || rapid_rate > 1` did not hold within 0ns; the last packet: enabled false, rapid_rate 1"]
+        expect!["`enabled || rapid_rate > 1` was not true within 0ns; the last packet: enabled false, rapid_rate 1"]
             .assert_eq(&text(until.packet(&packet(json!({"enabled": false, "rapidrate": 1})))));
         until.packet(&packet(json!({"enabled": true, "rapidrate": 1}))).expect("it holds, however late");
         assert!(until.is_met());

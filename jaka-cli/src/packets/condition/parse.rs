@@ -78,7 +78,7 @@ impl<'t> ConditionParser<'t> {
             (Some('|'), second) if second != Some('|') => "`||` stands for \"or\"".to_owned(),
             (Some('='), second) if second != Some('=') => "`==` compares".to_owned(),
             (Some(sign), _) if !is_word(sign) && !"&|=!<>()+-".contains(sign) => {
-                format!("`{}` means nothing here", visible(&sign.to_string()))
+                format!("`{}` is not expected here", visible(&sign.to_string()))
             }
             _ => format!("expected {expected}"),
         };
@@ -123,7 +123,7 @@ impl<'t> ConditionParser<'t> {
             (Kind::Number, Kind::Number) => {}
             (Kind::Truth, Kind::Truth) if is_equality => {}
             (Kind::Truth, Kind::Truth) => {
-                return Err(Misread::new(sign, "truth values are compared with `==` and `!=` alone"));
+                return Err(Misread::new(sign, "truth values can only be compared with `==` and `!=`"));
             }
             _ => return Err(Misread::new(sign, "a truth value and a number cannot be compared")),
         }
@@ -139,7 +139,7 @@ impl<'t> ConditionParser<'t> {
         let column = self.column();
         self.depth += 1;
         if self.depth > DEEPEST {
-            return Err(Misread::new(column, "there are too many parts in each other"));
+            return Err(Misread::new(column, "too many nested parts"));
         }
         let (expression, kind) = if self.takes("!") {
             (Expression::Not(Box::new(self.operand()?.truth()?)), Kind::Truth)

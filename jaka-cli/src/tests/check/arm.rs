@@ -49,16 +49,16 @@ fn a_calibrated_arm() {
     assert_report(
         &check(&calibrated, &["--yes", "--json"]),
         &expect![[r#"
-            model: look: a Zu 5, with parameters of its own: the published ones are too far off
-              make its model of `get_dh_param`, by `Model::with_dh`
+            model: look: a Zu 5, with its own parameters: the published ones differ too much
+              build its model from `get_dh_param` with `Model::with_dh`
         "#]],
     );
     assert_model(
         &calibrated,
         "zu5",
         &expect![[r#"
-            model: look: a Zu 5, with parameters of its own: the published ones are too far off
-              make its model of `get_dh_param`, by `Model::with_dh`
+            model: look: a Zu 5, with its own parameters: the published ones differ too much
+              build its model from `get_dh_param` with `Model::with_dh`
         "#]],
     );
 }
@@ -137,7 +137,7 @@ fn poses_that_the_controller_does_not_compute() {
         refuse(8),
         &expect![[r#"
         model: look: the controller refused `kine_forward` with code 2: call kine_forward failed
-          look at it at the pendant: this controller does not answer the query
+          read it at the pendant: this controller does not answer the query
     "#]],
     );
 }

@@ -25,7 +25,7 @@ fn nobody_listens() {
         nobody.address(),
         controller.status_addr(),
         &expect![[r#"
-        command_port: wrong: 127.0.0.1:PORT takes no connection (Connection refused (os error 111))
+        command_port: wrong: 127.0.0.1:PORT refuses the connection (Connection refused (os error 111))
           check the address and the port, wait until the controller has started, and end other programs that are connected to this port, such as the vendor's app: it serves one client
     "#]],
     );
@@ -34,7 +34,7 @@ fn nobody_listens() {
         controller.command_addr(),
         nobody.address(),
         &expect![[r#"
-        status_port: wrong: 127.0.0.1:PORT takes no connection (Connection refused (os error 111))
+        status_port: wrong: 127.0.0.1:PORT refuses the connection (Connection refused (os error 111))
           check the address and the port, and wait until the controller has started
     "#]],
     );
@@ -48,7 +48,7 @@ fn ports_that_are_mixed_up() {
         controller.status_addr(),
         controller.status_addr(),
         &expect![[r#"
-        command_port: wrong: status packets come from here
+        command_port: wrong: this port sends status packets
           this is the status port: commands go to port 10001
     "#]],
     );
@@ -115,8 +115,8 @@ fn packets_that_are_none() {
     assert_found(
         |controller| controller.status_fault(lines),
         &expect![[r#"
-        status_port: wrong: this firmware sends status as text lines, which only very old versions do: bytes that do not begin a frame: `joint_actual_position:(0, 0)\x0a`
-          this firmware is older than the protocol: ask the vendor for a newer one
+        status_port: wrong: this firmware sends its status as text lines, a form of very old versions: bytes that do not begin a frame: `joint_actual_position:(0, 0)\x0a`
+          this firmware is older than the protocol: ask the vendor for newer firmware
     "#]],
     );
     assert_found(

@@ -118,7 +118,7 @@ fn modes_and_programs() {
     assert_state(
         |state| state.program_state = ProgramState::Other("reverse".to_owned()),
         &expect![[r#"
-        program: look: the state is "reverse", which is not known
+        program: look: unknown state "reverse"
           look at the pendant
     "#]],
     );
@@ -144,7 +144,7 @@ fn frames() {
         |controller| controller.set_status([("current_tool_id".to_owned(), json!(15))]),
         &expect![[r#"
         tool_frame: look: 15, without an offset from the controller
-          look at its offset at the pendant: poses are of this frame
+          look at its offset at the pendant: poses refer to this frame
     "#]],
     );
 }
@@ -226,14 +226,14 @@ fn a_query_without_an_answer() {
         |controller| controller.inject_for("get_payload", Fault::Instead(refusal.to_vec())),
         &expect![[r#"
         payload: look: the controller refused `get_payload` with code 2: call get_payload failed
-          look at it at the pendant: this controller does not answer the query
+          read it at the pendant: this controller does not answer the query
     "#]],
     );
     assert_found(
         |controller| controller.set_reply("get_payload", [("mass".to_owned(), json!("heavy"))]),
         &expect![[r#"
             payload: look: `get_payload` was not refused, but its reply does not fit the spec: field `mass`: expected a number, found `"heavy"`
-              look at it at the pendant; `jaka probe` shows the reply
+              read it at the pendant; `jaka probe` shows the reply
         "#]],
     );
     assert_found(

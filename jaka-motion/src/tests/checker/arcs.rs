@@ -34,7 +34,7 @@ fn what_the_arc_passes_is_checked() {
     let plate = Region::outside_box("plate", [-2e3, y - 40.0, -2e3], [2e3, y - 39.0, 2e3]);
     let checker = bare(with_region(plate));
     let found = checker.check_arc(ELBOW_UP.into(), on_circle(80.0, 175.0), on_circle(80.0, 350.0), SLOW).unwrap_err();
-    assert!(found.to_string().contains("beyond `plate` at 9 % of its way"), "{found}");
+    assert!(found.to_string().contains("beyond `plate` at 9 % of its path"), "{found}");
 }
 
 #[test]

@@ -72,7 +72,7 @@ fn the_tool_is_not_faster_than_its_limit() {
     let most = (250.0 / flange[0].hypot(flange[1])).to_degrees();
     assert_eq!(checker.check_joint_way(from.into(), to, asked(most - 0.001)), Ok(()));
     let found = checker.check_joint_way(from.into(), to, asked(most * 1.1)).unwrap_err();
-    assert_eq!(found.to_string(), "the tool centre point would move at 275 mm/s at 0 % of the way; limit 250 (Zu 5)");
+    assert_eq!(found.to_string(), "the tool centre point would move at 275 mm/s at 0 % of the path; limit 250 (Zu 5)");
 }
 
 /// Both ends are far from the plate, and the elbow goes through it in between.

@@ -64,7 +64,7 @@ fn a_line_through_a_singularity_names_it() {
     let asked = TcpSpeed { speed_mm_s: 0.5, ..SLOW };
     let found = bare(zu5()).check_line(from.into(), model.forward(to).into(), asked).unwrap_err();
     assert!(matches!(found.exceeded, Exceeded::Singularity { which: Singularity::Wrist, .. }), "{found}");
-    let words = format!("the line passes the wrist singularity at {:.0} % of its way (Zu 5)", found.share * 100.0);
+    let words = format!("the line passes the wrist singularity at {:.0} % of its path (Zu 5)", found.share * 100.0);
     assert_eq!(found.to_string(), words);
     // The joints may go there on a straight path.
     let asked = super::PACE;
@@ -137,7 +137,7 @@ fn a_box_is_smaller_by_the_tolerance() {
     assert!(line(99.9, 0.0).is_ok() && line(89.9, 10.0).is_ok());
     refused(
         &line(99.0, 10.0),
-        "the tool centre point would be 9 mm beyond `ceiling`, 10 mm of blending counted (Zu 5)",
+        "the tool centre point would be 9 mm beyond `ceiling`, including 10 mm of blending (Zu 5)",
     );
 }
 
@@ -153,7 +153,7 @@ fn a_start_nearer_to_a_border_than_the_tolerance_is_refused() {
     assert!(line(along, 0.0).is_ok() && line(along, 4.9).is_ok());
     refused(
         &line(along, 20.0),
-        "the tool centre point would be 15 mm beyond `floor` at 0 % of its way, 20 mm of blending counted (Zu 5)",
+        "the tool centre point would be 15 mm beyond `floor` at 0 % of its path, including 20 mm of blending (Zu 5)",
     );
     assert!(line([0.0, 0.0, 10.0], 20.0).is_err());
 }

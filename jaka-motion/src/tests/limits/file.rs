@@ -111,7 +111,7 @@ max_mm = [1, 1, 1]
             "cell.toml:4:31: joint 5: 400 deg is beyond the 360 deg of the Zu 5; a limit can only be tighter",
             "cell.toml:5:26: joint 3: 181 deg/s is beyond the 180 deg/s of the Zu 5; a limit can only be tighter",
             "cell.toml:6:23: joint acceleration: -1 is not above 0",
-            "cell.toml:7:1: half-space `table`: the direction inward has no length",
+            "cell.toml:7:1: half-space `table`: the inward direction has no length",
             "cell.toml:13:1: two regions are called `wall`",
         ],
     );

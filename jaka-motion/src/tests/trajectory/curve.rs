@@ -168,7 +168,7 @@ fn what_cannot_be_is_refused_and_named() {
     refused(through_poses(&poses).within_mm(1.0).reserve(0.95), "reserve: 0.95 is not from 0 to 0.9");
     refused(through_poses(&poses).within_mm(1.0).corner_mm(-1.0), "corner_mm: -1 is not finite and at least 0");
     refused(Trajectory::curve::<Via>([]), "a trajectory takes at least 2 way-points; given 0");
-    refused(Trajectory::curve([HOME; 3]).within_deg(1.0), "all way-points are at one place");
+    refused(Trajectory::curve([HOME; 3]).within_deg(1.0), "all way-points are at the same place");
     let text = "way-point 3: after the first, the points of a curve are all joint positions or all poses";
     refused(Trajectory::curve([Via::from(HOME), HOME.into(), home().into()]).within_deg(1.0), text);
     let text = "way-point 1 is a pose, which several joint positions reach; give joint positions near it, or a first way-point in joints";

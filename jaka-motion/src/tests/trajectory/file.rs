@@ -59,7 +59,7 @@ fn all_that_is_wrong_with_csv_is_said_with_its_place() {
             "way.csv:1:1: there is no column `velocity_5_deg_s` or `velocity_5_rad_s`",
             "way.csv:1:1: there is no column `velocity_6_deg_s` or `velocity_6_rad_s`",
             "way.csv:1:1: unknown column `time`; is it `time_s`?",
-            "way.csv:1:18: column `joint_1_rad`: there is one of this already",
+            "way.csv:1:18: column `joint_1_rad` appears twice",
             "way.csv:2:1: found 3 fields, expected 8, as many as columns",
             "way.csv:3:1: found 2 fields, expected 8, as many as columns",
         ],
@@ -86,7 +86,7 @@ fn all_that_is_wrong_with_json_is_said_with_its_place() {
     json_errors("[1]", &["way.json:1:1: the file: found `[1]`, expected an object"]);
     json_errors(
         "{\n \"point\": 1}",
-        &["way.json:1:1: `points` is missing", "way.json:2:11: unknown key `point`; there is `points` alone"],
+        &["way.json:1:1: `points` is missing", "way.json:2:11: unknown key `point`; the only key is `points`"],
     );
     json_errors("{\"points\": []}", &["way.json:1:1: found 0 points, expected at least 2"]);
     let text = r#"{"points": [
@@ -100,9 +100,9 @@ fn all_that_is_wrong_with_json_is_said_with_its_place() {
         &[
             "way.json:2:20: time_s: found `0.1`, expected 0, at the first point",
             "way.json:2:73: joints_rad: found 5 numbers, expected six",
-            "way.json:2:73: key `joints_rad`: there is one of this already",
+            "way.json:2:73: key `joints_rad` appears twice",
             "way.json:3:9: a point: `time_s` is missing",
-            "way.json:3:9: a point: its keys are not those of the first point",
+            "way.json:3:9: a point: its keys differ from the keys of the first point",
             "way.json:3:18: unknown key `time`; is it `time_s`?",
             "way.json:3:42: joints_deg: found `true`, expected a finite number",
             "way.json:3:48: joints_deg: found `\"0\"`, expected a finite number",
@@ -110,8 +110,8 @@ fn all_that_is_wrong_with_json_is_said_with_its_place() {
             "way.json:3:82: velocity_rad_s: found 0 numbers, expected six",
             "way.json:4:9: a point: `joints_deg` or `joints_rad` is missing",
             "way.json:4:9: a point: `velocity_deg_s` or `velocity_rad_s` is missing",
-            "way.json:4:9: a point: its keys are not those of the first point",
-            "way.json:4:35: key `time_s` comes twice",
+            "way.json:4:9: a point: its keys differ from the keys of the first point",
+            "way.json:4:35: key `time_s` appears twice",
             "way.json:5:9: a point: found `7`, expected an object",
         ],
     );

@@ -154,7 +154,7 @@ fn what_cannot_be_is_refused_and_named() {
     let start = Via::from(HOME);
     refused(through(&[]), "a trajectory takes at least 2 way-points; given 0");
     refused(through(&[start]), "a trajectory takes at least 2 way-points; given 1");
-    refused(through(&[start, start, pose.into()]), "all way-points are at one place");
+    refused(through(&[start, start, pose.into()]), "all way-points are at the same place");
     let text = "way-point 1 is a pose, which several joint positions reach; give joint positions near it, or a first way-point in joints";
     refused(through(&[pose.into(), start]), text);
     let two = through(&[start, [0.0; 6].into()]);
@@ -167,7 +167,7 @@ fn what_cannot_be_is_refused_and_named() {
     let far = Pose { x: 1500.0, ..pose };
     refused(through(&[start, start, far.into()]), "between way-points 2 and 3: out of reach by 806 mm (Zu 5)");
     let across = Pose { x: -pose.x, y: -pose.y, ..pose };
-    let text = "between way-points 1 and 2: the line passes the shoulder singularity at 49 % of its way (Zu 5)";
+    let text = "between way-points 1 and 2: the line passes the shoulder singularity at 49 % of its path (Zu 5)";
     refused(through(&[start, across.into()]), text);
 }
 

@@ -102,8 +102,7 @@ fn no_readme_has_what_only_rustdoc_understands() {
 
 #[test]
 fn what_rustdoc_alone_understands_is_left_out() {
-    let page =
-        "A [`B`], [`c`](B::c), [d](#d), [\"e\"](crate::e), [f](https://f), g[0].\n```rust\nlet h = 1;\n# i()\n#\n```\n```toml\n# j\n```\n";
+    let page = "A [`B`], [`c`](B::c), [d](#d), [\"e\"](crate::e), [f](https://f), g[0].\n```rust\nlet h = 1;\n# i()\n#\n```\n```toml\n# j\n```\n";
     let expected = "A `B`, `c`, [d](#d), \"e\", [f](https://f), g[0].\n```rust\nlet h = 1;\n```\n```toml\n# j\n```\n";
     assert_eq!(hosted(page), expected);
 }

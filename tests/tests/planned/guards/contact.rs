@@ -86,7 +86,7 @@ fn a_motion_that_is_too_fast_for_the_overtravel_or_of_unknown_speed_is_not_sent(
     assert!((permitted_mm_s - permitted(PERIOD, 1.0)).abs() < 1e-6, "{error}");
     let text = error.to_string();
     assert!(
-        text.starts_with("`moveL` was not sent under a guard: at 400 mm/s the tool goes on for more than 1 mm after a contact; permitted are "),
+        text.starts_with("`moveL` was not sent under a guard: at 400 mm/s the tool moves more than 1 mm after a contact; permitted are "),
         "{text}"
     );
     let reason = |error: Error| match error.kind() {

@@ -189,7 +189,7 @@ fn a_trajectory_that_is_too_fast_somewhere_is_refused_with_the_place_and_the_fig
     assert!((20.0..100.0).contains(speed_mm_s) && *period == Duration::from_millis(30), "{error}");
     let text = error.to_string();
     let begin = "`servo_j` was not sent under a guard: after way-point 2, at 4.";
-    assert!(text.starts_with(begin) && text.contains(" mm/s the tool goes on for "), "{text}");
+    assert!(text.starts_with(begin) && text.contains(" mm/s the tool moves "), "{text}");
     assert!(text.contains(", and 1 mm are allowed; permitted are "), "{text}");
     assert!(
         text.contains(" mm/s there, with up to 30.0ms between packets, 20.0ms of reaction and braking with "),
@@ -270,7 +270,7 @@ fn a_lag_longer_than_the_reaction_is_told_at_the_trip() {
         assert!(found.reaction == reaction && found.lag >= lag && found.lag < lag + ms(40), "{found:?}");
         let text = error.to_string();
         assert!(text.contains(&format!("the arm lagged {:?} behind its set-points", found.lag)), "{text}");
-        assert!(text.contains("the tool may have gone on for longer than the overtravel"), "{text}");
+        assert!(text.contains("the tool may have moved further than the overtravel"), "{text}");
         // Streams, too.
         let (arm, robot) = lagging_above_a_plane(lag, ms(8), 15.0);
         let mut robot = limited(robot);

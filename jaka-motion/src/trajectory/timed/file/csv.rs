@@ -54,7 +54,7 @@ fn columns(at: usize, header: &str, report: &mut Report<'_>) -> Vec<Option<(Stri
         match &column {
             None => report.error(at, unknown(name, &known)),
             Some((_, column)) if columns.iter().flatten().any(|(_, other)| is_same(column, other)) => {
-                report.error(at, format!("column `{name}`: there is one of this already"));
+                report.error(at, format!("column `{name}` appears twice"));
             }
             Some(_) => {}
         }

@@ -13,7 +13,7 @@ pub(super) fn read(text: &str, report: &mut Report<'_>) -> Vec<TimedPoint> {
     for point in points.iter().flatten() {
         if let Some((row, has)) = row(&file, point, report) {
             if *first.get_or_insert(has) != has {
-                report.error(file.place(point), "a point: its keys are not those of the first point");
+                report.error(file.place(point), "a point: its keys differ from the keys of the first point");
             }
             rows.add(&row, report);
         }
@@ -49,7 +49,7 @@ fn row<'t>(file: &File<'t>, point: &'t str, report: &mut Report<'_>) -> Option<(
             row.time = file.number(value, &key, report).map(|time_s| (time_s, file.place(value)));
         } else if let Some((kind, unit)) = kind_of(&key) {
             if std::mem::replace(&mut read[kind as usize], true) {
-                report.error(file.place(value), format!("key `{key}`: there is one of this already"));
+                report.error(file.place(value), format!("key `{key}` appears twice"));
             }
             let numbers = file.numbers(value, &key, "six", report);
             *row.angles(kind) = numbers.map(|numbers: [f64; 6]| numbers.map(|number| unit.to_degrees(number)));
