@@ -50,6 +50,8 @@ pub(crate) enum Failure {
         what: String,
         /// Cause of the failure.
         source: io::Error,
+        /// Action against it, if one is known.
+        hint: Option<&'static str>,
     },
 }
 
@@ -82,7 +84,13 @@ impl Failure {
 
     /// Creates the failure of an action on this machine, with its cause.
     pub(crate) fn local(what: impl Into<String>, source: io::Error) -> Self {
-        Self::Local { what: what.into(), source }
+        Self::Local { what: what.into(), source, hint: None }
+    }
+
+    /// Creates the failure of ports that cannot be opened; `in_use` is the hint for ports in use.
+    pub(crate) fn unopened(what: impl Into<String>, source: io::Error, in_use: &'static str) -> Self {
+        let hint = (source.kind() == io::ErrorKind::AddrInUse).then_some(in_use);
+        Self::Local { what: what.into(), source, hint }
     }
 }
 
@@ -98,10 +106,7 @@ impl Failure {
         match self {
             Self::Refused { explanation: Some(explanation), .. } => verb(explanation.remedy()),
             Self::Robot(error) => verb(error.remedy()),
-            Self::Local { source, .. } if source.kind() == io::ErrorKind::AddrInUse => Some(
-                "end the program that uses the port; or `--commands` and `--status` set other ports, 0 a free one"
-                    .into(),
-            ),
+            Self::Local { hint, .. } => hint.map(Cow::Borrowed),
             _ => None,
         }
     }
@@ -121,12 +126,23 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
         Remedy::None | Remedy::SeeError | Remedy::OfEvent(_) | Remedy::Connection(jaka_sync::Remedy::None) => {
             return None;
         }
+        // Without a call of the library.
+        Remedy::GrantRemoteControl
+        | Remedy::FindObstacle
+        | Remedy::MoveMoreSlowly
+        | Remedy::GiveAbsoluteTarget
+        | Remedy::AllowRealtimePriority
+        | Remedy::Connection(
+            jaka_sync::Remedy::CheckAddress
+            | jaka_sync::Remedy::FreeSeat
+            | jaka_sync::Remedy::CheckStatusPort
+            | jaka_sync::Remedy::TryAgain,
+        ) => return Some(remedy.to_string().into()),
         Remedy::ReleaseEmergencyStop => "when nobody is at the arm, release it, then `jaka up`",
         Remedy::ClearError => "when somebody has looked at the arm, `jaka clear` leaves the protective stop",
         Remedy::PowerUp => "when somebody has looked at the arm, `jaka up` powers and enables it",
         Remedy::SeeController => "when somebody has looked at the arm, `jaka clear` clears the error",
         Remedy::MoveAway => "when somebody has looked at the arm, `jaka jog` moves it away from the limit",
-        Remedy::GrantRemoteControl => "grant remote control on the controller's panel",
         Remedy::SeeServoMode => "find the program that uses servo mode",
         Remedy::WaitOrStop => "`jaka stop` stops it, `jaka status --watch` shows it",
         Remedy::LookAtArm => "look at the arm before it moves again",
@@ -142,35 +158,17 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
             "check the network; try `jaka stop`: commands may still pass"
         }
         Remedy::UnloadMachine => "`jaka jitter` measures the lateness of this machine and names remedies",
-        Remedy::FindObstacle => "look for an obstacle at the arm",
         Remedy::MoveToStart => "`--approach` moves the arm to the start first",
         Remedy::LeaveOutPort => "leave out the port; `--command-port` and `--status-port` name other ones",
-        Remedy::Connection(jaka_sync::Remedy::CheckAddress) => {
-            "check the address, the network, and that the controller is on"
-        }
-        Remedy::Connection(jaka_sync::Remedy::FreeSeat) => {
-            "check the address, that the controller is on, and that no other client, such as the vendor's app, is connected to the command port"
-        }
-        Remedy::Connection(jaka_sync::Remedy::CheckStatusPort) => {
-            "check that this is the status port, 10000, and that the controller has started"
-        }
         Remedy::Connection(jaka_sync::Remedy::WaitForPackets) => {
             "wait for more status packets: `jaka status --watch` shows them"
         }
-        Remedy::Connection(jaka_sync::Remedy::TryAgain) => "try again in a moment",
         Remedy::SwitchSensorOn => "switch the sensor on: `jaka call set_torque_sensor_mode`",
-        Remedy::MoveMoreSlowly => "move more slowly",
         Remedy::MoveOnLine => "move on a line or an arc towards a contact",
         Remedy::GiveAcceleration => "`--acceleration` sets it",
         Remedy::WaitForMotions => "wait for the end of all motions first: `jaka status --watch` shows it",
-        Remedy::GiveAbsoluteTarget => "give an absolute target",
         Remedy::GiveLimits => "`--model` gives the robot limits",
         Remedy::LengthenReaction => "set a reaction longer than the lag",
-        Remedy::AllowRealtimePriority => {
-            "set `rtprio` to that or more for the user in /etc/security/limits.conf and log in again (`ulimit -r` \
-             shows it), or give the program CAP_SYS_NICE (`setcap cap_sys_nice=ep PROGRAM`; of a \
-             container: `--cap-add SYS_NICE`)"
-        }
     }))
 }
 

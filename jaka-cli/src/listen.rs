@@ -10,6 +10,10 @@ use jaka_sim::{Builder, Controller};
 use crate::failure::Failure;
 use crate::terminal::output;
 
+/// Hint for ports in use.
+const PORTS_IN_USE: &str =
+    "end the program that uses the port; or `--commands` and `--status` set other ports, 0 a free one";
+
 /// Options for the listening addresses.
 #[derive(Debug, Args)]
 pub(crate) struct ListenArgs {
@@ -36,21 +40,16 @@ impl ListenArgs {
 
     /// Creates the failure, with the port if it is in use.
     fn failed(&self, error: io::Error) -> Failure {
-        let is_taken = |port: &u16| {
-            let opened = TcpListener::bind((self.address, *port));
-            opened.is_err_and(|error| error.kind() == ErrorKind::AddrInUse)
+        let is_in_use = |error: &io::Error| error.kind() == ErrorKind::AddrInUse;
+        let is_taken =
+            |port: &u16| is_in_use(&error) && TcpListener::bind((self.address, *port)).is_err_and(|e| is_in_use(&e));
+        let taken: Vec<_> = [self.commands, self.status].into_iter().filter(is_taken).collect();
+        let ports = match taken[..] {
+            [] => String::new(),
+            [port] => format!(": port {port} of {} is in use", self.address),
+            _ => format!(": ports {} of {} are in use", taken.iter().join(" and "), self.address),
         };
-        let mut taken = vec![self.commands, self.status];
-        taken.retain(|port| error.kind() == ErrorKind::AddrInUse && is_taken(port));
-        let what = "cannot start the controller";
-        match taken[..] {
-            [] => Failure::local(what, error),
-            [port] => Failure::local(format!("{what}: port {port} of {} is in use", self.address), error),
-            _ => {
-                let ports = taken.iter().join(" and ");
-                Failure::local(format!("{what}: ports {ports} of {} are in use", self.address), error)
-            }
-        }
+        Failure::unopened(format!("cannot start the controller{ports}"), error, PORTS_IN_USE)
     }
 }
 

@@ -83,5 +83,15 @@ fn what_no_source_has_is_said() {
         exit code 2
     "]]
     .assert_eq(&text(&["hello"]));
+    let lexium = "permission deny, please check remote control source";
+    assert!(text(&[lexium]).starts_with("errorCode 3, PermissionDenied\n"));
+    // Words of the explanations are no refusals.
+    for word in ["joint_move", "servo_j", "power_on", "kine_inverse", "failed", "cmdName"] {
+        let unknown = text(&[word]);
+        assert!(
+            unknown.starts_with(&format!("error: `{word}` is not a code, nor a refusal of the spec; ")),
+            "{unknown}"
+        );
+    }
     assert!(text(&["--pack", &pack("newer.toml"), "0x0F0034"]).contains("a collision was detected"));
 }

@@ -361,6 +361,7 @@ fn a_recording_of_nothing_is_not_kept() {
     let proxy = jaka(["record", file, "--sim", "--listen", "127.0.0.1", "--listen-commands", &port]);
     assert_eq!((proxy.code, path.exists()), (Some(6), false), "{}", proxy.err);
     assert!(proxy.err.starts_with(&format!("error: cannot listen at 127.0.0.1, port {port}: ")), "{}", proxy.err);
+    assert!(proxy.err.contains("; or `--listen-commands` and `--listen-status` set other ports"), "{}", proxy.err);
     let nobody = ReservedPort::any();
     let port = nobody.address().port().to_string();
     let refused = jaka(["call", "get_version", "-r", "127.0.0.1", "--command-port", &port, "--record", file]);

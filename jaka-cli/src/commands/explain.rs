@@ -141,8 +141,7 @@ fn refusal(spec: &Spec, code: Option<i64>, message: &str, command: Option<&Comma
         .or_else(|| command.and_then(|command| command.refusal.as_ref()).map(|refusal| refusal.code));
     let says = |known: &&ErrorCode| {
         let by_message = !message.is_empty() && known.message.as_deref() == Some(message);
-        let in_doc = || known.doc.contains(&format!("`{message}`"));
-        code.map_or_else(|| by_message || (!message.is_empty() && in_doc()), |code| known.wire == code)
+        code.map_or(by_message, |code| known.wire == code)
     };
     let known = spec.errors().find(says);
     if known.is_none() && command.is_none() {

@@ -21,6 +21,10 @@ use crate::target::{AddressArgs, Target};
 use crate::terminal::output;
 use crate::text::seconds::some_seconds;
 
+/// Hint for ports in use.
+const PORTS_IN_USE: &str =
+    "end the program that uses the port; or `--listen-commands` and `--listen-status` set other ports, 0 a free one";
+
 /// Record a session to a new file, until it is interrupted.
 ///
 /// Records the traffic between any program and the robot, as a proxy between them (--listen), to which the program
@@ -96,7 +100,8 @@ impl Record {
             let (robot, recorder, queue) = (robot.to_owned(), recorder.clone(), queue.clone());
             let port_proxy = ProxyPort { port, robot, timeout, recorder, queue, sampling: self.sampling() };
             let opened = port_proxy.open(address, own_port);
-            opened.map_err(|error| Failure::local(format!("cannot listen at {address}, port {own_port}"), error))
+            let what = format!("cannot listen at {address}, port {own_port}");
+            opened.map_err(|error| Failure::unopened(what, error, PORTS_IN_USE))
         };
         listen::print(open(Port::Command, self.listen_commands)?, open(Port::Status, self.listen_status)?)
     }
