@@ -97,7 +97,7 @@ fn guarded(commands: SocketAddr, status: SocketAddr, trips: u32, observer: Durat
         thread::sleep(observer);
         ControlFlow::Continue(())
     });
-    let mut robot = Robot::new(client, monitor);
+    let mut robot = Robot::new(client, monitor).expect("it is the only robot");
     let motion = JointMove::absolute([10.0; 6], 10.0);
     for _ in 0..trips {
         // The input stays high for some packets, at the start of the next motion as well.

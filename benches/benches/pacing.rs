@@ -101,7 +101,7 @@ impl Way {
         let monitor: Monitor = Monitor::connect_with(&Config::new(), robot.status)?;
         let client = Client::connect(robot.commands)?;
         let mut other = client.try_clone()?;
-        let mut robot = Robot::new(client, monitor);
+        let mut robot = Robot::new(client, monitor).expect("it is the only robot");
         robot.configure(&RobotConfig::new().allow_motion_without_status())?;
         let mut session =
             robot.enter_servo_mode(ServoConfig::new().max_unanswered(Duration::from_secs(30)).busy_wait(spin))?;

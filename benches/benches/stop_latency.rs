@@ -124,7 +124,7 @@ fn beside_packets(stops: u32, observer: Duration) -> Result<Samples, Failure> {
             thread::sleep(Duration::from_millis(1));
         }
     });
-    let robot = Robot::new(client, monitor);
+    let robot = Robot::new(client, monitor).expect("it is the only robot");
     let stop = robot.stop_handle();
     let samples = times(stops, || stop.stop(), &arrivals);
     drop(robot);

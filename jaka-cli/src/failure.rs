@@ -160,6 +160,7 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
         Remedy::UnloadMachine => "`jaka jitter` measures the lateness of this machine and names remedies",
         Remedy::MoveToStart => "`--approach` moves the arm to the start first",
         Remedy::LeaveOutPort => "leave out the port; `--command-port` and `--status-port` name other ones",
+        Remedy::UseOneRobot => "end the other robot of this connection first",
         Remedy::Connection(jaka_sync::Remedy::WaitForPackets) => {
             "wait for more status packets: `jaka status --watch` shows them"
         }

@@ -241,7 +241,7 @@ impl Target {
         if builtin::of_status().varies_by_firmware() {
             monitor.set_firmware(Some(client.check_firmware()?));
         }
-        let robot = Robot::with_monitor(client, monitor);
+        let robot = Robot::with_monitor(client, monitor).map_err(jaka_robot::Error::from)?;
         robot.monitor().wait_until(|_| true, self.config.get_reply_timeout())?;
         Ok(robot)
     }

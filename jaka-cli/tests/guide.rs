@@ -156,7 +156,7 @@ fn the_guide_s_pack_is_used_by_a_program() {
     drop(robot);
 
     let monitor: Monitor<newer::RobotStatus> = controller.monitor();
-    let mut robot = Robot::with_monitor(controller.client(), monitor);
+    let mut robot = Robot::with_monitor(controller.client(), monitor).expect("it is the only robot");
     robot.run(&motion, LONG).expect("it is accepted").reached().expect("the arm reaches its target");
     assert_eq!(robot.demo_motion_state().expect("a robot takes it, too").queue, 3);
     controller.set_status([("protective_stop".to_owned(), json!("stopped"))]);

@@ -130,7 +130,7 @@ pub fn command_info(spec: &Spec, command: &Command) -> &'static CommandInfo {
         spec::Effect::Session => Effect::Session,
     };
     let mut info = CommandInfo::usual(leaked(&command.wire), leaked(&command.head()), leaked(section), effect);
-    info.role = command.role.map(role);
+    info.role = command.role.map(role).or((info.effect == Effect::Motion).then_some(Role::Start));
     info.changes = Box::leak(command.changes.iter().map(|each| change(*each)).collect());
     info.is_motion = command.motion.is_some();
     info.requires = Box::leak(command.requires.iter().map(|each| requirement(*each)).collect());
@@ -144,6 +144,7 @@ pub fn command_info(spec: &Spec, command: &Command) -> &'static CommandInfo {
 fn role(role: spec::Role) -> Role {
     match role {
         spec::Role::Stop => Role::Stop,
+        spec::Role::StopAxis => Role::StopAxis,
         spec::Role::Pause => Role::Pause,
         spec::Role::Resume => Role::Resume,
         spec::Role::SetPoint => Role::SetPoint,

@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::scope::{Scope, ident};
-use crate::{choice, construct, docs, forms, motion, typedef, validate};
+use crate::{choice, construct, docs, forms, motion, role, typedef, validate};
 
 /// The request, its reply if it carries data, and their connection.
 pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
@@ -26,6 +26,7 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let reply = reply(scope, command);
     let reply_type = scope.reply_type(&TokenStream::new(), command);
     let info = info(scope.spec, command);
+    let role = role::of_request(scope.spec, command);
     let motion = motion::render(scope, command, &name);
     quote! {
         #request
@@ -35,6 +36,7 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
         impl proto::Command for #name {
             type Reply = #reply_type;
             const INFO: &'static proto::CommandInfo = &#info;
+            #role
         }
 
         #motion
@@ -54,10 +56,7 @@ fn info(spec: &Spec, command: &Command) -> TokenStream {
     let head = command.head();
     let section = command.section.as_deref().unwrap_or_default();
     let effect = ident(command.effect.variant());
-    let role = command.role.map(|role| {
-        let role = ident(role.variant());
-        quote!(role: Some(proto::Role::#role),)
-    });
+    let role = role::of_command(command).map(|role| quote!(role: Some(#role),));
     let changes = (!command.changes.is_empty()).then(|| {
         let changes = command.changes.iter().map(|change| ident(change.variant()));
         quote!(changes: &[#(proto::Change::#changes),*],)

@@ -22,6 +22,7 @@ mod forms;
 mod literal;
 mod motion;
 mod pack;
+mod role;
 mod scope;
 mod status_subset;
 mod topic;

@@ -17,6 +17,12 @@ pub trait Command: Fields + Validate {
     /// Facts of the spec about the command.
     const INFO: &'static CommandInfo;
 
+    /// Role of this request for the arm. A request has another one than its command if it stops the jog of an axis, or
+    /// leaves servo mode.
+    fn role(&self) -> Option<Role> {
+        Self::INFO.role
+    }
+
     /// Writes the request as it goes over the wire.
     fn write_request(&self, out: &mut Writer) {
         out.raw(Self::INFO.head);
@@ -66,7 +72,8 @@ pub struct CommandInfo {
     pub section: &'static str,
     /// Effect of the command on the robot.
     pub effect: Effect,
-    /// Role of the command to the arm. That of a pack is its author's claim.
+    /// Role of the command for the arm; single requests may have another one ([`Command::role`]). That of a pack is its
+    /// author's claim.
     pub role: Option<Role>,
     /// Properties of the arm that it changes.
     pub changes: &'static [Change],
@@ -146,20 +153,26 @@ pub enum Effect {
     Session,
 }
 
-/// Role of a command for the arm, which decides the times at which it may be sent.
+/// Role of a request for the arm, which decides the times at which it may be sent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Role {
     /// Stops the arm. Stop handles, guards and sessions send the built-in `stop_program` alone.
     Stop,
+    /// Stops the jog of one axis.
+    StopAxis,
+    /// Starts a motion or a program, or moves the arm otherwise.
+    Start,
     /// Pauses a motion or a program.
     Pause,
     /// Resumes a paused motion.
     Resume,
     /// Set-point of servo mode.
     SetPoint,
-    /// Enters or leaves servo mode.
+    /// Enters servo mode.
     ServoMode,
+    /// Leaves servo mode.
+    LeaveServoMode,
     /// Sets an output. Passes while a session, a stream or a trajectory moves the arm.
     Output,
     /// Short query for a state of the robot. Passes likewise.
@@ -167,13 +180,22 @@ pub enum Role {
 }
 
 impl Role {
-    /// True for a command that another handle of the connection may send while a session, a stream or a trajectory
-    /// moves the arm: a stop, an output, a short query. Power, enabling and servo mode are kept back: at speed the arm
-    /// would fall into its brakes, where a stop brakes it.
+    /// True for a request that another handle of the connection may send while a session, a stream or a trajectory
+    /// moves the arm: a stop, the end of servo mode, an output, a short query. Power and enabling are kept back: at
+    /// speed the arm would fall into its brakes, where a stop brakes it.
     pub fn passes_beside_set_points(self) -> bool {
         match self {
-            Self::Stop | Self::Output | Self::State => true,
-            Self::Pause | Self::Resume | Self::SetPoint | Self::ServoMode => false,
+            Self::Stop | Self::StopAxis | Self::LeaveServoMode | Self::Output | Self::State => true,
+            Self::Start | Self::Pause | Self::Resume | Self::SetPoint | Self::ServoMode => false,
+        }
+    }
+
+    /// True for a request that moves the arm, or lets set-points move it: none goes out after a stop until that is
+    /// acknowledged.
+    pub fn moves(self) -> bool {
+        match self {
+            Self::Start | Self::Resume | Self::SetPoint | Self::ServoMode => true,
+            Self::Stop | Self::StopAxis | Self::Pause | Self::LeaveServoMode | Self::Output | Self::State => false,
         }
     }
 }

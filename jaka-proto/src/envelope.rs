@@ -80,7 +80,7 @@ impl<'a> Envelope<'a> {
     }
 
     /// Whether the reply says that the command was accepted.
-    pub(crate) fn is_accepted(&self) -> bool {
+    pub fn is_accepted(&self) -> bool {
         self.code.as_ref().is_ok_and(|code| code.is_success())
     }
 

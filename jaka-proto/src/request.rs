@@ -1,7 +1,7 @@
 //! Requests from their JSON.
 
 use crate::check::{NotSent, Rules};
-use crate::command::{Command, CommandInfo, Visit};
+use crate::command::{Command, CommandInfo, Role, Visit};
 use crate::messages::Request;
 use crate::wire::{DecodeError, Reader, Writer};
 
@@ -37,6 +37,20 @@ impl Request {
             }
         }
         self.visit(Info)
+    }
+
+    /// Role of the request for the arm.
+    #[inline]
+    pub fn role(&self) -> Option<Role> {
+        struct OfRequest;
+        impl Visit for OfRequest {
+            type Output = Option<Role>;
+
+            fn visit<C: Command>(self, command: &C) -> Self::Output {
+                command.role()
+            }
+        }
+        self.visit(OfRequest)
     }
 
     /// Writes the request as it goes over the wire.

@@ -8,27 +8,26 @@ mod state;
 mod status;
 mod stillness;
 mod stop_handle;
-mod stops;
 mod trouble;
 
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 use std::time::Duration;
 
 use jaka_clock::Clock;
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ErrorCode, Refusal};
-use jaka_sync::layer::{ClientParts as _, Link, Reservation, Reserved, told};
+use jaka_sync::layer::{AttachedRobot, ClientParts as _, Leading, Link, Stops, told};
 
 pub(crate) use self::guards::{GuardProgress, PacketObserver};
 pub(crate) use self::position::{Answer, Position, QUERY_PERIOD, SETTLING};
 use self::state::not_acknowledged;
-pub(crate) use self::state::{ArmState, Sending};
+pub(crate) use self::state::{ArmState, Sending, kept_back};
 pub(crate) use self::status::unknown;
 pub(crate) use self::stillness::Stillness;
 pub use self::stop_handle::RobotStop;
-pub(crate) use self::stop_handle::{Sent, Written};
+pub(crate) use self::stop_handle::Sent;
 pub(crate) use self::trouble::{News, code, news};
 use crate::error::Attach as _;
 use crate::under_way::UnderWay;
@@ -89,6 +88,37 @@ impl fmt::Debug for dyn StatusSource + '_ {
     }
 }
 
+/// Longest wait for the rest of an arm that was stopped.
+pub(crate) const REST: Duration = Duration::from_secs(2);
+
+/// State of an arm, as its connection knows it.
+struct Attachment(Weak<ArmState>);
+
+impl AttachedRobot for Attachment {
+    fn stopped(&self) {
+        if let Some(state) = self.0.upgrade() {
+            state.wake();
+        }
+    }
+
+    fn is_latched(&self) -> bool {
+        self.0.upgrade().is_some_and(|state| state.is_latched())
+    }
+}
+
+/// Robot of a connection, until it is dropped.
+#[derive(Debug)]
+struct Attached(Arc<Stops>);
+
+impl Drop for Attached {
+    fn drop(&mut self) {
+        // During a panic a logger, which may panic, must not run.
+        if self.0.detach() && !std::thread::panicking() {
+            log::warn!(target: "jaka_robot", "the robot was dropped, and its arm was not seen at rest since its last set-point");
+        }
+    }
+}
+
 /// Arm at the other end of a connection.
 #[derive(Debug)]
 pub(crate) struct Arm {
@@ -96,9 +126,8 @@ pub(crate) struct Arm {
     source: Arc<dyn StatusSource>,
     pub(crate) state: Arc<ArmState>,
     pub(crate) position: Position,
-    /// Number of the last stop that had been reported to the program when the arm was lent. A later stop ends the use
-    /// of the arm, also after an acknowledgement by the program.
-    told: Option<u64>,
+    /// The robot of the connection, for the robot's own arm; `None` for a lent one.
+    _attached: Option<Attached>,
     /// Number of this program's frame changes at the time of its last motion; packets may be older than a later change.
     frame_changes: u64,
 }
@@ -106,19 +135,29 @@ pub(crate) struct Arm {
 impl Arm {
     /// Arm of two connections to the same controller. `needs_status` is false where motions go out while the status is
     /// not known.
-    pub(crate) fn new<S: MotionStatus>(client: Client, monitor: &Arc<Monitor<S>>, needs_status: bool) -> Self {
-        let state = ArmState::new(monitor, &client.link().clock, needs_status);
+    ///
+    /// Gives the client back if its connection has a robot.
+    pub(crate) fn new<S: MotionStatus>(
+        client: Client,
+        monitor: &Arc<Monitor<S>>,
+        needs_status: bool,
+    ) -> Result<Self, Client> {
+        let stops = &client.link().stops;
+        let state = ArmState::new(monitor, stops, needs_status);
+        if !stops.attach(Attachment(Arc::downgrade(&state))) {
+            return Err(client);
+        }
+        let attached = Some(Attached(Arc::clone(stops)));
         let position = Position::new(&client);
         let source: Arc<dyn StatusSource> = Arc::<Monitor<S>>::clone(monitor);
-        Self { client, source, state, position, told: None, frame_changes: 0 }
+        Ok(Self { client, source, state, position, _attached: attached, frame_changes: 0 })
     }
 
     /// Returns a second arm of the same connections, for another thread, which ends before this arm is dropped.
     pub(crate) fn lent(&mut self) -> Self {
         let (source, state) = (Arc::clone(&self.source), Arc::clone(&self.state));
-        let told = Some(state.lock().stops.reported());
         let (client, position) = (self.client.lent(), self.position.lent());
-        Self { client, source, state, position, told, frame_changes: self.frame_changes }
+        Self { client, source, state, position, _attached: None, frame_changes: self.frame_changes }
     }
 
     /// Client of the arm, for a command that may change the position of the arm.
@@ -159,14 +198,32 @@ impl Arm {
         self.frame_changes = frame_changes;
     }
 
-    /// Keeps back commands of other handles of the connection, except those of the list.
-    pub(crate) fn reserve(&self, reservation: Reservation) -> Reserved {
-        self.link().reserve(self.client.handle(), reservation)
+    /// Stops of the connection, what they keep back, and the session that moves the arm.
+    pub(crate) fn stops(&self) -> &Arc<Stops> {
+        &self.link().stops
+    }
+
+    /// Begins the lead of a session: other handles of the connection send only what passes beside it.
+    pub(crate) fn lead(&self) -> Result<Leading, Error> {
+        self.link().lead(self.client.handle()).map_err(|by| self.attach(kept_back(by)))
+    }
+
+    /// Waits until the arm is at rest, by the controller's answers, if it has been stopped, or led by a session, and was
+    /// not seen at rest since. Fails if it does not come to rest within `timeout`, and 2 s.
+    pub(crate) fn rest_after_stop(&mut self, timeout: Duration) -> Result<(), Error> {
+        if !self.stops().needs_rest() {
+            return Ok(());
+        }
+        self.position.note_rest(false);
+        if self.position.comes_to_rest(timeout.min(REST))? {
+            return Ok(());
+        }
+        Err(self.not_ready(Explanation::Moving))
     }
 
     /// Sends a command; its reply is polled for, as in [`Link::ask`].
     pub(crate) fn ask<C: Command>(&self, command: &C) -> Result<jaka_sync::layer::Sent<'static>, jaka_sync::Error> {
-        self.link().ask(self.client.handle(), C::INFO, &mut |out| command.write_request(out))
+        self.link().ask((C::INFO, command.role(), self.client.handle()), &mut |out| command.write_request(out))
     }
 
     /// Clock of the connections.
@@ -186,8 +243,8 @@ impl Arm {
 
     /// Gate that lets this pass while it may be sent.
     pub(crate) fn gate(&self, what: Sending) -> impl Fn() -> Result<(), Error> + use<> {
-        let (state, told) = (Arc::clone(&self.state), self.told);
-        move || state.may_send(what, told)
+        let state = Arc::clone(&self.state);
+        move || state.may_send(what)
     }
 
     /// Fails while something must be acknowledged.
@@ -197,12 +254,12 @@ impl Arm {
 
     /// Occurrence that must be acknowledged, if there is one.
     pub(crate) fn unacknowledged(&self) -> Option<Occurrence> {
-        self.state.unacknowledged(self.told)
+        self.state.unacknowledged()
     }
 
     /// Occurrence that must be acknowledged, apart from a lost status.
     pub(crate) fn unacknowledged_stop(&self) -> Option<Occurrence> {
-        self.state.unacknowledged_stop(self.told)
+        self.state.unacknowledged_stop()
     }
 
     /// Newest packet, for actions that need one; none if the program has allowed them without status. Waits briefly if
@@ -244,7 +301,7 @@ impl Arm {
 
     /// Handle that stops the arm from another thread.
     pub(crate) fn stop_handle(&self) -> RobotStop {
-        RobotStop::new(self.client.stop_handle(), &self.state)
+        RobotStop::new(self.client.stop_handle())
     }
 
     /// Adds the reason for a refusal to the error, if the state of the arm shows it.

@@ -23,7 +23,7 @@ impl WaitEvents {
     fn since(arm: &Arm) -> Self {
         let newest = arm.state.newest_packet();
         let code = newest.as_ref().and_then(|newest| arm::code(&newest.status)).map(str::to_owned);
-        let mut news = Self { shown: None, code, stops: arm.state.lock().stops.taken(), found: None };
+        let mut news = Self { shown: None, code, stops: arm.stops().accepted(), found: None };
         news.shown = newest.and_then(|newest| news.of(&newest)).map(|occurrence| occurrence.cause);
         news
     }
@@ -37,7 +37,7 @@ impl WaitEvents {
 
     /// True once something has happened.
     fn have_come(&mut self, arm: &Arm) -> bool {
-        if self.found.is_none() && arm.state.lock().stops.taken() > self.stops {
+        if self.found.is_none() && arm.stops().accepted() > self.stops {
             self.found = Some(Cause::Stopped.into());
         }
         if let (None, Ok(newest)) = (&self.found, arm.state.fresh_packet()) {

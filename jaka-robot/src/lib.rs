@@ -56,7 +56,7 @@ pub use limits::LimitPolicy;
 pub use motions::{MotionExt, Run};
 pub use power_steps::PowerStep;
 pub use report::{FollowLag, Report, TrajectoryReport};
-pub use robot::{Robot, RobotConfig};
+pub use robot::{HasRobot, Robot, RobotConfig};
 pub use servo_session::{ServoConfig, ServoSession, SessionConfig};
 #[cfg(feature = "stream")]
 pub use stream::{Stream, StreamConfig, StreamHandle};

@@ -109,7 +109,7 @@ impl LimitChecks {
     /// The last motion that was accepted ends there.
     pub(crate) fn plan(&mut self, arm: &Arm, end: Option<JointPosition>) {
         if let Some(limited) = &mut self.0 {
-            (limited.planned, limited.stops, limited.is_unsettled) = (end, arm.link().stop_count(), false);
+            (limited.planned, limited.stops, limited.is_unsettled) = (end, arm.stops().begun(), false);
             limited.changes_by_others = arm.changes_by_others();
         }
     }

@@ -20,16 +20,13 @@ use self::guarded::GuardedRun;
 use self::rule::EndRule;
 pub(crate) use self::rule::Grace;
 use self::wait::EndWait;
-use crate::arm::{Arm, SETTLING, Sending, Sent};
+use crate::arm::{Arm, REST, SETTLING, Sending, Sent};
 use crate::cause::{Consequence, Occurrence};
 use crate::guard::Armed;
 use crate::limits::{Beginning, LimitChecks};
 use crate::motions::PlannedMotion;
 use crate::place::Quantity;
 use crate::{Cause, End, Error, Report, Rest, Run};
-
-/// Longest wait for the rest of an arm that was stopped.
-const REST: Duration = Duration::from_secs(2);
 
 /// Motions that have been started, and the options of the wait for their end.
 #[derive(Debug)]
@@ -97,8 +94,9 @@ impl Moving<'_> {
         let since = self.arm.clock().stopwatch();
         self.arm.link().check_open(motion.info.name)?;
         self.arm.check_acknowledged()?;
-        let begin = self.begin(motion, timeout)?;
         let left = || since.left_of(timeout);
+        self.arm.rest_after_stop(left())?;
+        let begin = self.begin(motion, left())?;
         let beginning = if self.planned.has_motions() { Beginning::InQueue } else { Beginning::AtRest(begin.start) };
         let times = (self.planned.grace.time, left());
         let end = self.limits.check_motion(self.arm, motion, beginning, times)?;
@@ -134,14 +132,15 @@ impl Moving<'_> {
     /// State of the arm before a motion, as far as it is known.
     fn begin(&mut self, motion: PlannedMotion<'_>, timeout: Duration) -> Result<Begin, Error> {
         let since = self.arm.clock().stopwatch();
+        let stops = self.arm.stops().begun();
         let Some(newest) = self.arm.known_status(timeout)? else {
-            return Ok(Begin::default());
+            return Ok(Begin { stops, ..Begin::default() });
         };
         let (changes, by_others) = (self.arm.link().frame_changes(), self.arm.changes_by_others());
         let under_way = self.arm.under_way();
         let frames = GoalFrames { shown: under_way.frames(), changes, by_others };
         let mut begin = Begin::new(&newest.status, frames, under_way);
-        begin.depends_on_frames = self.depends_on_frames(motion);
+        (begin.stops, begin.depends_on_frames) = (stops, self.depends_on_frames(motion));
         let is_first_at_rest = !self.planned.has_motions() && begin.at_rest;
         if let Some(quantity) = Quantity::of_start(motion.target).filter(|_| is_first_at_rest) {
             begin.start = self.arm.position.place_at_rest(quantity, since.left_of(timeout))?;
@@ -154,12 +153,11 @@ impl Moving<'_> {
         let mut end = self.wait_unless(timeout, &|| false);
         self.settle_cause(&mut end);
         if end.occurrence.consequence() == Consequence::Stops {
-            let stop = self.arm.stop_handle().stop_and_tell();
+            let stop = self.arm.stop_handle().end_motion();
             self.take(&stop);
             self.come_to_rest(&mut end, &stop);
             end.stop = Some(stop.accepted);
         }
-        self.report(&end);
         self.record(&end);
         end
     }
@@ -199,7 +197,6 @@ impl Moving<'_> {
     /// not waited for any more then.
     fn take(&mut self, stop: &Sent) -> bool {
         if stop.accepted.is_ok() {
-            self.arm.state.lock().stops.report(stop.number);
             self.planned.give_up();
             self.limits.unsettle();
         }
@@ -239,12 +236,5 @@ impl Moving<'_> {
             _ => MotionStep::Failed,
         };
         self.arm.link().record_motion(step, || end.occurrence.to_string());
-    }
-
-    /// Reports to the program the stops that have ended a motion, if any.
-    fn report(&mut self, end: &End) {
-        if end.occurrence.cause == Cause::Stopped {
-            self.arm.state.lock().stops.report_taken();
-        }
     }
 }

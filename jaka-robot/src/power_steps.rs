@@ -7,9 +7,9 @@ use std::time::Duration;
 use jaka_clock::Stopwatch;
 use jaka_proto::Command;
 use jaka_proto::messages::power::{DisableRobot, EnableRobot, GetRobotState, GetRobotStateReply, PowerOff, PowerOn};
-use jaka_sync::layer::{ClientParts as _, describe};
+use jaka_sync::layer::{ClientParts as _, Stops, describe};
 
-use crate::arm::{Arm, ArmState, unknown};
+use crate::arm::{Arm, unknown};
 use crate::{Error, ErrorKind, Explanation, StatusProblem};
 
 /// Period of the queries for the state.
@@ -48,15 +48,15 @@ struct Steps<'o> {
     observer: Observer<'o>,
     since: Stopwatch,
     timeout: Duration,
-    /// The number of the latest stop of the program's own that does not count.
-    stop: u64,
+    /// The number of the latest stop that does not count; `None` if one before the call does.
+    stop: Option<u64>,
     accepted: Vec<String>,
     /// Steps that are yet to be sent.
     rest: Vec<&'static str>,
 }
 
 impl<'o> Steps<'o> {
-    fn new(arm: &Arm, timeout: Duration, stop: u64, observer: Observer<'o>) -> Self {
+    fn new(arm: &Arm, timeout: Duration, stop: Option<u64>, observer: Observer<'o>) -> Self {
         Self { observer, since: arm.clock().stopwatch(), timeout, stop, accepted: Vec::new(), rest: Vec::new() }
     }
 
@@ -74,8 +74,8 @@ impl<'o> Steps<'o> {
     }
 
     /// Fails once a stop has begun that counts. As a gate it lets no step out after that.
-    fn check_stops(&self, state: &ArmState) -> Result<(), Error> {
-        if state.lock().stops.begun() == self.stop {
+    fn check_stops(&self, stops: &Stops) -> Result<(), Error> {
+        if self.stop == Some(stops.begun()) {
             return Ok(());
         }
         let not_sent = self.rest.iter().map(|&name| name.to_owned()).collect();
@@ -85,8 +85,7 @@ impl<'o> Steps<'o> {
 
 /// Powers and enables the arm: see [`Robot::power_up_with`](crate::Robot::power_up_with).
 pub(crate) fn up(arm: &mut Arm, timeout: Duration, observer: Observer<'_>) -> Result<(), Error> {
-    let reported = arm.state.lock().stops.reported();
-    let mut steps = Steps::new(arm, timeout, reported, observer);
+    let mut steps = Steps::new(arm, timeout, arm.stops().settled(), observer);
     arm.wait_for_status(|_| true, timeout)?;
     check_emergency_stop(arm, Duration::ZERO)?;
     let state = arm.queries().call_within(&GetRobotState::new(), steps.left())?;
@@ -99,13 +98,12 @@ pub(crate) fn up(arm: &mut Arm, timeout: Duration, observer: Observer<'_>) -> Re
         switch(arm, &EnableRobot::new(), |state| state.enabled, &mut steps, check_emergency_stop)?;
     }
     arm.wait_for_status(|status| status.powered_on != Some(false) && status.enabled != Some(false), steps.left())?;
-    steps.check_stops(&arm.state)
+    steps.check_stops(arm.stops())
 }
 
 /// Disables the arm and switches its power off: see [`Robot::power_down_with`](crate::Robot::power_down_with).
 pub(crate) fn down(arm: &mut Arm, timeout: Duration, observer: Observer<'_>) -> Result<(), Error> {
-    let begun = arm.state.lock().stops.begun();
-    let mut steps = Steps::new(arm, timeout, begun, observer);
+    let mut steps = Steps::new(arm, timeout, Some(arm.stops().begun()), observer);
     let state = arm.queries().call_within(&GetRobotState::new(), steps.left())?;
     steps.rest.extend(state.enabled.then_some(DisableRobot::INFO.name));
     steps.rest.extend(state.powered_on.then_some(PowerOff::INFO.name));
@@ -116,7 +114,7 @@ pub(crate) fn down(arm: &mut Arm, timeout: Duration, observer: Observer<'_>) -> 
         switch(arm, &PowerOff::new(), |state| !state.powered_on, &mut steps, pause)?;
     }
     arm.wait_for_status(|status| status.powered_on != Some(true) && status.enabled != Some(true), steps.left())?;
-    steps.check_stops(&arm.state)
+    steps.check_stops(arm.stops())
 }
 
 /// Sends the next step, and waits until the controller says that it has done it.
@@ -128,20 +126,20 @@ fn switch<C: Command>(
     pause: Pause,
 ) -> Result<(), Error> {
     let since = arm.statistics().packets;
-    let state = Arc::clone(&arm.state);
+    let stops = Arc::clone(arm.stops());
     if steps.left().is_zero() {
         return Err(not_in_time(arm, steps.timeout, since));
     }
-    steps.check_stops(&state)?;
+    steps.check_stops(&stops)?;
     let sent = arm.clock().stopwatch();
     steps.tell(PowerStep { command: C::INFO.name, took: None });
-    let gate = || steps.check_stops(&state);
+    let gate = || steps.check_stops(&stops);
     let accepted = arm.client().call_through(Some(&gate), command, steps.left());
     accepted.map_err(|error| arm.explained(error.into(), steps.left()))?;
     steps.accepted.push(steps.rest.remove(0).to_owned());
     while !is_done(&arm.queries().call_within(&GetRobotState::new(), steps.left())?) {
         pause(arm, QUERY_PERIOD.min(steps.left()))?;
-        steps.check_stops(&state)?;
+        steps.check_stops(&stops)?;
         if steps.left().is_zero() {
             return Err(not_in_time(arm, steps.timeout, since));
         }

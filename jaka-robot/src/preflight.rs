@@ -13,7 +13,7 @@ use std::fmt::{self, Display};
 
 use jaka_motion::Limits;
 use jaka_proto::messages::status::RobotStatus;
-use jaka_sync::layer::MonitorParts as _;
+use jaka_sync::layer::{MonitorParts as _, Stops};
 use jaka_sync::{Client, Config, Error, Monitor, MotionStatus};
 
 use self::arm::Expected;
@@ -78,7 +78,7 @@ impl Preflight {
         let expected = Expected(limits.cloned());
         let monitor = Monitor::<S>::connect_with(config, status_address);
         let mut client = Client::connect_with(config, commands_address);
-        let state = monitor.as_ref().map(|monitor| ArmState::new(monitor, monitor.clock(), true));
+        let state = monitor.as_ref().map(|monitor| ArmState::new(monitor, &Stops::new(monitor.clock()), true));
         let status = monitor
             .as_ref()
             .and_then(|source| Ok(StatusPort { source, state: state.as_ref().map_err(|&error| error)? }));

@@ -2,7 +2,7 @@
 
 mod config;
 
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -27,6 +27,29 @@ use crate::{
 };
 #[cfg(feature = "stream")]
 use crate::{Stream, StreamConfig};
+
+/// Error of a second robot on one connection, which has one robot at a time. Gives the client back.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct HasRobot {
+    /// The client, whose connection stays open.
+    pub client: Client,
+}
+
+impl Display for HasRobot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        ErrorKind::HasRobot.fmt(f)
+    }
+}
+
+impl std::error::Error for HasRobot {}
+
+/// Drops the client. That closes the connection if it is its first client.
+impl From<HasRobot> for Error {
+    fn from(_: HasRobot) -> Self {
+        ErrorKind::HasRobot.into()
+    }
+}
 
 /// A robot with motions that end: a [`Client`] for commands and a [`Monitor`] for their effects.
 ///
@@ -132,13 +155,18 @@ impl Robot<RobotStatus> {
         status_address: impl Display,
     ) -> Result<Self, Error> {
         let monitor = Monitor::connect_with(config, status_address)?;
-        Ok(Self::new(Client::connect_with(config, commands_address)?, monitor))
+        Ok(Self::new(Client::connect_with(config, commands_address)?, monitor)?)
     }
 
     /// A robot of two connections to the same controller.
     ///
-    /// The monitor can be shared: given as an [`Arc`], or taken from [`monitor`](Self::monitor).
-    pub fn new(client: Client, monitor: impl Into<Arc<Monitor>>) -> Self {
+    /// The monitor can be shared: given as an [`Arc`], or taken from [`monitor`](Self::monitor). A connection has one
+    /// robot at a time. Stops that nobody has acknowledged bind the next robot of the connection, too.
+    ///
+    /// # Errors
+    /// [`HasRobot`], with the client, if the connection has a robot already, by another handle
+    /// ([`Client::try_clone`]). Nothing is closed.
+    pub fn new(client: Client, monitor: impl Into<Arc<Monitor>>) -> Result<Self, HasRobot> {
         Self::with_monitor(client, monitor)
     }
 }
@@ -146,11 +174,14 @@ impl Robot<RobotStatus> {
 impl<S: MotionStatus> Robot<S> {
     /// A robot of two connections, with a monitor of another type of status packets, such as a [pack](crate::pack!)'s:
     /// `Robot::<newer::RobotStatus>::with_monitor(…)`.
-    pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Self {
+    ///
+    /// # Errors
+    /// As [`new`](Robot::new).
+    pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Result<Self, HasRobot> {
         let monitor = monitor.into();
         let RobotConfig { grace, silence, needs_status, .. } = RobotConfig::new();
-        let (arm, planned) = (Arm::new(client, &monitor, needs_status), Planned::new(grace, silence));
-        Self { monitor, arm, limits: LimitChecks::default(), planned }
+        let arm = Arm::new(client, &monitor, needs_status).map_err(|client| HasRobot { client })?;
+        Ok(Self { monitor, arm, limits: LimitChecks::default(), planned: Planned::new(grace, silence) })
     }
 
     /// Applies options. Those that are not set in `config` are the defaults.
@@ -280,8 +311,8 @@ impl<S: MotionStatus> Robot<S> {
 
     /// Occurrence that must be acknowledged before the arm moves again, if there is one.
     ///
-    /// This is any stop that a packet has shown, also between motions, and one by a [`RobotStop`] that no [`End`] has
-    /// reported.
+    /// This is any stop that a packet has shown, also between motions, and any stop by a handle of the connection:
+    /// [`RobotStop`] says which.
     pub fn unacknowledged(&self) -> Option<Occurrence> {
         self.arm.unacknowledged()
     }

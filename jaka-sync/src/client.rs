@@ -12,7 +12,7 @@ use jaka_proto::exchange::{ReadReply, TextOnly, TypedReply};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Writer};
-use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion};
+use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, Role};
 use serde_json::Value;
 
 use crate::link::{Dispatched, Gate, Handle, Link, OPEN, Outgoing, SendError, Written, unexpected};
@@ -42,6 +42,14 @@ pub struct Client {
     pub(crate) handle: Handle,
     /// True if its drop closes the connection.
     owns_link: bool,
+}
+
+/// Facts of a request.
+struct Of {
+    info: &'static CommandInfo,
+    role: Option<Role>,
+    /// Firmware in whose forms it is written.
+    firmware: Option<FirmwareVersion>,
 }
 
 impl Client {
@@ -140,7 +148,8 @@ impl Client {
         // The firmware is read once for the check, the request and its reply, since another handle may set it.
         let rules = self.rules();
         command.check(rules).map_err(Error::from)?;
-        self.call_as((C::INFO, rules.firmware), gate, timeout, &mut |out| command.write_request(out))
+        let of = Of { info: C::INFO, role: command.role(), firmware: rules.firmware };
+        self.call_as(of, gate, timeout, &mut |out| command.write_request(out))
     }
 
     /// Sends a request of a type that only its caller knows, unless the gate keeps it back, and returns once it is
@@ -153,7 +162,8 @@ impl Client {
     ) -> Result<(), SendError<R>> {
         let rules = self.rules();
         request.check(rules).map_err(Error::from)?;
-        self.call_as((info, rules.firmware), gate, timeout, &mut |out| request.write(out))
+        let of = Of { info, role: info.role, firmware: rules.firmware };
+        self.call_as(of, gate, timeout, &mut |out| request.write(out))
     }
 
     /// Sends a request and waits for its reply, of type `A`.
@@ -161,13 +171,14 @@ impl Client {
     /// Generic over the reply type only, which many commands share.
     fn call_as<A: Fields, R>(
         &mut self,
-        (info, firmware): (&'static CommandInfo, Option<FirmwareVersion>),
+        of: Of,
         gate: Gate<'_, R>,
         timeout: Duration,
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<A, SendError<R>> {
-        let mut reader = TypedReply::of_firmware(info, firmware);
-        match self.exchange((info, firmware), gate, timeout, write, &mut reader) {
+        let info = of.info;
+        let mut reader = TypedReply::of_firmware(info, of.firmware);
+        match self.exchange(of, gate, timeout, write, &mut reader) {
             Ok(()) => Ok(reader.take(&self.reply).map_err(|source| self.link.attach(unexpected(info.name, source)))?),
             Err(SendError::Failed(error)) if is_success_without_reply(info, &error) => {
                 Ok(A::without_fields().ok_or(error)?)
@@ -180,14 +191,14 @@ impl Client {
     /// for each type of reply would make up most of this crate's compile time.
     fn exchange<R>(
         &mut self,
-        (info, firmware): (&'static CommandInfo, Option<FirmwareVersion>),
+        Of { info, role, firmware }: Of,
         gate: Gate<'_, R>,
         timeout: Duration,
         write: &mut dyn FnMut(&mut Writer),
         reader: &mut dyn ReadReply,
     ) -> Result<(), SendError<R>> {
         let outgoing = Outgoing::of(&self.link.clock, info, timeout).of_handle(self.handle).in_forms_of(firmware);
-        self.link.call(&outgoing, gate, write, &mut self.reply, reader)?;
+        self.link.call(outgoing.in_role(role), gate, write, &mut self.reply, reader)?;
         if info.ends_session {
             self.link.end(info);
         }
@@ -215,14 +226,16 @@ impl Client {
         Ok(outstanding)
     }
 
-    /// Sends the first of the checked commands in one write: at least one of them.
+    /// Sends the first of the checked commands in one write: at least one of them, and only ones of one role.
     pub(crate) fn post_some<C: Command, R>(
         &self,
         gate: Gate<'_, R>,
         commands: &[C],
     ) -> Result<Dispatched, SendError<R>> {
+        let role = commands.first().and_then(C::role);
+        let count = commands.iter().take_while(|command| command.role() == role).count();
         let write = &mut |index: usize, out: &mut _| commands[index].write_request(out);
-        self.link.post((C::INFO, self.handle), self.config.reply_timeout, gate, commands.len(), write)
+        self.link.post((C::INFO, role, self.handle), self.config.reply_timeout, gate, count, write)
     }
 
     /// Checks commands against the spec and the firmware.
@@ -292,7 +305,7 @@ impl Client {
             self.config.reply_timeout,
         )
         .of_handle(self.handle);
-        self.link.call(&outgoing, OPEN, &mut |out| out.raw(&request), &mut self.reply, &mut TextOnly)?;
+        self.link.call(outgoing, OPEN, &mut |out| out.raw(&request), &mut self.reply, &mut TextOnly)?;
         let mut reader = Reader::new(&self.reply);
         let found = Value::decode(&mut reader).and_then(|value| reader.end().map(|()| value));
         found.map_err(|source| self.link.attach(unexpected(command, source)))
@@ -316,7 +329,7 @@ impl Client {
         };
         let name = Cow::Owned(command.to_owned());
         let outgoing = Outgoing::named(&self.link.clock, command, name, timeout).of_handle(self.handle);
-        self.link.call(&outgoing, OPEN, &mut |out| out.raw(request), &mut self.reply, &mut TextOnly)?;
+        self.link.call(outgoing, OPEN, &mut |out| out.raw(request), &mut self.reply, &mut TextOnly)?;
         Ok(&self.reply)
     }
 

@@ -73,8 +73,8 @@ jaka_proto::worded! {
             /// Code and message of the controller.
             refusal: Refusal,
         } => "{refusal}",
-        /// The command of another handle ([`Client::try_clone`](crate::Client::try_clone)) was kept back, because a
-        /// part of the program has reserved the connection. It did not run.
+        /// The command was kept back: a session, a stream or a trajectory of a robot moves the arm, or the arm was
+        /// stopped ([`StopHandle::stop`](crate::StopHandle::stop)). It did not run.
         KeptBack {
             /// `cmdName` of the command.
             command: String,

@@ -22,11 +22,14 @@ use crate::Config;
 pub use crate::connection::names_a_port;
 pub use crate::disconnect::is_text_line;
 pub use crate::error::show_exchanges;
-pub use crate::link::{Answers, Gate, Handle, Link, Reservation, Reserved, SendError, Sent, Written, unexpected};
+pub use crate::link::{
+    Answers, AttachedRobot, Gate, Handle, Kept, Leading, Link, SendError, Sent, StopKind, Stops, UnderWay, Written,
+    unexpected,
+};
 pub use crate::monitor::{StatusNews, describe};
 pub use crate::motion_status::{needed, told};
 pub use crate::stop::WrittenStop;
-pub use crate::sync::{Wakeup, Watched};
+pub use crate::sync::Watched;
 use crate::{Client, Disconnect, Error, ErrorKind, Monitor, StatusProblem, StopHandle};
 
 /// Failure behind an [`Error`], as a closed choice: each kind of error belongs to one of these.
@@ -229,32 +232,33 @@ impl<S: Send + Sync + 'static> MonitorParts<S> for Monitor<S> {
 
 /// Parts of a [`StopHandle`].
 pub trait StopParts {
-    /// Writes the stop.
+    /// Writes the stop, once a session has braked.
     ///
     /// # Errors
     /// As [`StopHandle::stop`].
-    fn write(&self) -> Result<WrittenStop, Error>;
+    fn write(&self, kind: StopKind) -> Result<WrittenStop, Error>;
 
-    /// Writes the stop if that is possible at once; `None` otherwise. Blocks the thread for a moment at most.
+    /// Writes a stop that ends a motion if that is possible at once, and no session moves the arm; `None` otherwise.
+    /// Blocks the thread for a moment at most.
     fn write_now(&self) -> Option<WrittenStop>;
 
     /// Waits until the controller has accepted a stop that was written.
     ///
     /// # Errors
     /// As [`StopHandle::stop`].
-    fn wait(&self, written: &WrittenStop) -> Result<(), Error>;
+    fn wait(&self, written: WrittenStop) -> Result<(), Error>;
 }
 
 impl StopParts for StopHandle {
-    fn write(&self) -> Result<WrittenStop, Error> {
-        StopHandle::write(self)
+    fn write(&self, kind: StopKind) -> Result<WrittenStop, Error> {
+        StopHandle::write(self, kind)
     }
 
     fn write_now(&self) -> Option<WrittenStop> {
         StopHandle::write_now(self)
     }
 
-    fn wait(&self, written: &WrittenStop) -> Result<(), Error> {
+    fn wait(&self, written: WrittenStop) -> Result<(), Error> {
         StopHandle::wait(self, written)
     }
 }

@@ -10,6 +10,7 @@ mod outbound;
 mod outgoing;
 mod posted;
 mod state;
+mod stops;
 
 use std::error::Error as StdError;
 use std::io;
@@ -22,17 +23,17 @@ use jaka_clock::{Clock, Socket, lock};
 use jaka_proto::exchange::{Failure, ReadReply, RequestId, Waiter};
 use jaka_proto::recording::{Entry, MotionStep};
 use jaka_proto::wire::{DecodeError, Writer};
-use jaka_proto::{CommandInfo, FirmwareVersion};
+use jaka_proto::{CommandInfo, FirmwareVersion, Role};
 use socket2::SockRef;
 
 use self::halves::Inbound;
 pub(crate) use self::outbound::Dispatched;
-pub use self::outgoing::{Gate, Handle, Reservation, SendError, Written};
-pub(crate) use self::outgoing::{OPEN, Outgoing, Right};
+pub use self::outgoing::{Gate, Handle, SendError, Written};
+pub(crate) use self::outgoing::{OPEN, Outgoing};
 pub use self::posted::Answers;
 pub(crate) use self::posted::MOST_OUTSTANDING;
-pub use self::state::Reserved;
 use self::state::{LinkState, Mode};
+pub use self::stops::{AttachedRobot, Kept, Leading, StopKind, Stops, UnderWay};
 use crate::recorder::Tap;
 use crate::sync::Watched;
 use crate::{Config, Disconnect, Error, ErrorKind};
@@ -60,9 +61,11 @@ pub struct Link {
     /// Changes when a reply became pending, the reader's place or the turn to send became free, or the connection
     /// broke.
     state: Watched<LinkState>,
+    /// Stops, what they keep back, and the session that moves the arm.
+    pub stops: Arc<Stops>,
     /// Number of stops that are being sent or wait for it. While there are any, no thread starts to send another
     /// command.
-    stops: AtomicUsize,
+    passing: AtomicUsize,
     /// Firmware of the controller, if it is known.
     firmware: Mutex<Option<FirmwareVersion>>,
 }
@@ -97,7 +100,8 @@ impl Link {
             clock: config.clock.clone(),
             reply_timeout: config.reply_timeout,
             state: Watched::new(&config.clock, state),
-            stops: AtomicUsize::new(0),
+            stops: Stops::new(&config.clock),
+            passing: AtomicUsize::new(0),
             firmware: Mutex::new(config.firmware),
         }
     }
@@ -172,9 +176,11 @@ impl Link {
         self.state.lock().frame_changes
     }
 
-    /// Number of sent stops.
-    pub fn stop_count(&self) -> u64 {
-        self.state.lock().stops
+    /// Begins the lead of a session by this handle.
+    pub fn lead(&self, by: Handle) -> Result<Leading, Kept> {
+        // Under the lock, so that no command passes that was checked before.
+        let _state = self.state.lock();
+        self.stops.lead(by)
     }
 
     /// Records an event of a motion.
@@ -197,14 +203,32 @@ impl Link {
     /// is an error.
     pub(crate) fn call<R>(
         &self,
-        outgoing: &Outgoing<'_>,
+        outgoing: Outgoing<'_>,
         gate: Gate<'_, R>,
         write: &mut dyn FnMut(&mut Writer),
         text: &mut String,
         reader: &mut dyn ReadReply,
     ) -> Result<(), SendError<R>> {
-        let sent = self.send_through(outgoing, gate, write)?;
-        Ok(self.wait(&sent, text, reader)?)
+        let (outgoing, stop) = self.begun(outgoing);
+        let sent = self.send_through(&outgoing, gate, write);
+        let outcome = sent.and_then(|sent| Ok(self.wait(&sent, text, reader)?));
+        outcome.inspect_err(|_| stop.iter().for_each(UnderWay::failed))
+    }
+
+    /// Begins a stop of the program, if the command is one; its deadline begins once a session has braked.
+    fn begun<'o>(&self, outgoing: Outgoing<'o>) -> (Outgoing<'o>, Option<UnderWay>) {
+        if !outgoing.is_stop() {
+            return (outgoing, None);
+        }
+        let stop = self.begin_stop(StopKind::Program);
+        (outgoing.of_stop(&stop), Some(stop))
+    }
+
+    /// Begins a stop, and waits while a session brakes the arm.
+    pub(crate) fn begin_stop(&self, kind: StopKind) -> UnderWay {
+        let stop = self.stops.begin(kind);
+        stop.wait_until_braked();
+        stop
     }
 
     /// Sends a command.
@@ -231,14 +255,15 @@ impl Link {
     /// outstanding posted ones. `write` writes the request with an index.
     pub(crate) fn post<R>(
         &self,
-        (info, by): (&'static CommandInfo, Handle),
+        (info, role, by): (&'static CommandInfo, Option<Role>, Handle),
         timeout: Duration,
         gate: Gate<'_, R>,
         count: usize,
         write: &mut dyn FnMut(usize, &mut Writer),
     ) -> Result<Dispatched, SendError<R>> {
         let outgoing = Outgoing::of(&self.clock, info, timeout).of_handle(by).in_forms_of(self.firmware());
-        self.transmit(&Outgoing { is_posted: true, ..outgoing }, gate, count, write)
+        let (outgoing, stop) = self.begun(Outgoing { is_posted: true, ..outgoing.in_role(role) });
+        self.transmit(&outgoing, gate, count, write).inspect_err(|_| stop.iter().for_each(UnderWay::failed))
     }
 
     /// Makes the socket blocking or nonblocking. It must block while a thread reads it.

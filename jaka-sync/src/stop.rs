@@ -1,5 +1,6 @@
 //! Stopping from another thread.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -8,7 +9,7 @@ use jaka_proto::exchange::TextOnly;
 use jaka_proto::messages::program::StopProgram;
 
 use crate::Error;
-use crate::link::{Link, Outgoing, Right, Sent};
+use crate::link::{Link, Outgoing, Sent, StopKind, UnderWay};
 
 /// Stops the running motion or program of a [`Client`](crate::Client) from any thread, even while a call waits.
 ///
@@ -44,6 +45,7 @@ pub struct WrittenStop {
     sent: Sent<'static>,
     /// Time at which the write had ended.
     pub at: Instant,
+    under_way: UnderWay,
 }
 
 /// Longest time for which a stop blocks a thread that must not wait.
@@ -56,32 +58,76 @@ impl StopHandle {
 
     /// Sends `stop_program` (4.23) and waits until the controller has accepted it.
     ///
+    /// While set-points of a robot of this connection (jaka-robot) move the arm, they brake it first, for 3 s at most:
+    /// no source says that `stop_program` alone ends servo motion. The stop goes out at once if a set-point is overdue,
+    /// and from the thread that sends the set-points, which cannot brake then.
+    ///
+    /// If the connection has, or has had, a robot, no motion, no entry into servo mode and no set-point goes out from
+    /// the call on, through any handle, until the robot acknowledges the stop and was seen at rest. Raw requests
+    /// ([`Client::call_raw`](crate::Client::call_raw)) are not kept back. `stop_program` by any other call of a handle,
+    /// also a raw one and one in a [`Pipeline`](crate::Pipeline), stops likewise; a raw request of a command that no
+    /// spec has is not known to be a stop.
+    ///
     /// # Errors
     /// As [`Client::call`](crate::Client::call); [`Disconnect::ClientDropped`](crate::Disconnect::ClientDropped) is the
     /// cause after the client was dropped. Unless the call succeeds, expect the robot to keep moving.
     pub fn stop(&self) -> Result<(), Error> {
-        self.wait(&self.write()?)
+        self.wait(self.write(StopKind::Program)?)
     }
 
-    /// Writes the stop.
-    pub(crate) fn write(&self) -> Result<WrittenStop, Error> {
-        self.write_within(self.timeout)
+    /// Sends `stop_program` as [`stop`](Self::stop) does, but at once: no set-point brakes the arm before, and none
+    /// goes out after it.
+    ///
+    /// # Errors
+    /// As [`stop`](Self::stop).
+    pub fn stop_now(&self) -> Result<(), Error> {
+        self.wait(self.write(StopKind::ProgramNow)?)
     }
 
-    /// Writes the stop if that is possible at once; `None` otherwise. Blocks the thread for a moment at most.
+    /// Writes the stop, once a session has braked.
+    pub(crate) fn write(&self, kind: StopKind) -> Result<WrittenStop, Error> {
+        let stop = self.link.begin_stop(kind);
+        match self.write_within(&stop, self.timeout) {
+            Ok(sent) => Ok(self.written(sent, stop)),
+            Err(error) => {
+                stop.failed();
+                Err(error)
+            }
+        }
+    }
+
+    /// Writes a stop that ends a motion if that is possible at once, and no session moves the arm; `None` otherwise.
+    /// Blocks the thread for a moment at most.
     pub(crate) fn write_now(&self) -> Option<WrittenStop> {
         // Outstanding requests may fill the system's buffer: the write would wait, or end midway.
-        if self.link.is_idle() { self.write_within(AT_ONCE).ok() } else { None }
+        if !self.link.is_idle() || self.link.stops.is_led() {
+            return None;
+        }
+        let stop = self.link.begin_stop(StopKind::OfMotion);
+        // If a logger panics, another thread does the rest.
+        let sent = catch_unwind(AssertUnwindSafe(|| self.write_within(&stop, AT_ONCE)));
+        match sent {
+            Ok(Ok(sent)) => Some(self.written(sent, stop)),
+            Ok(Err(_)) | Err(_) => {
+                stop.take_back();
+                None
+            }
+        }
     }
 
     /// Waits until the controller has accepted a stop that was written.
-    pub(crate) fn wait(&self, written: &WrittenStop) -> Result<(), Error> {
-        self.link.wait(&written.sent, &mut String::new(), &mut TextOnly)
+    pub(crate) fn wait(&self, written: WrittenStop) -> Result<(), Error> {
+        let WrittenStop { sent, under_way, .. } = written;
+        let accepted = self.link.wait(&sent, &mut String::new(), &mut TextOnly);
+        accepted.inspect_err(|_| under_way.failed())
     }
 
-    fn write_within(&self, timeout: Duration) -> Result<WrittenStop, Error> {
-        let outgoing = Outgoing::of(&self.link.clock, StopProgram::INFO, timeout).by(Right::Stop);
-        let sent = self.link.send(&outgoing, &mut |out: &mut _| StopProgram::new().write_request(out))?;
-        Ok(WrittenStop { sent: sent.within(self.timeout), at: self.link.clock.now() })
+    fn written(&self, sent: Sent<'static>, under_way: UnderWay) -> WrittenStop {
+        WrittenStop { sent: sent.within(self.timeout), at: self.link.clock.now(), under_way }
+    }
+
+    fn write_within(&self, stop: &UnderWay, timeout: Duration) -> Result<Sent<'static>, Error> {
+        let outgoing = Outgoing::of(&self.link.clock, StopProgram::INFO, timeout).of_stop(stop);
+        self.link.send(&outgoing, &mut |out: &mut _| StopProgram::new().write_request(out))
     }
 }

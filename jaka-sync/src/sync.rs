@@ -25,41 +25,15 @@ use self::shuttled::Signal;
 #[derive(Debug)]
 pub struct Watched<T> {
     state: Mutex<T>,
-    changed: Wakeup,
-}
-
-/// Wakes the threads that wait for a change of a state.
-#[derive(Debug)]
-pub struct Wakeup {
-    signal: Signal,
+    changed: Signal,
     /// Number of threads that wait. It grows under the lock of the state.
     sleepers: AtomicUsize,
-}
-
-impl Wakeup {
-    /// Wakeup for waits in the time of this clock.
-    pub fn new(clock: &Clock) -> Self {
-        Self { signal: Signal::new(clock), sleepers: AtomicUsize::new(0) }
-    }
-
-    /// Wakes the threads that wait, after a change under the lock. Usually no thread waits, and the call makes no
-    /// system call.
-    pub fn wake(&self) {
-        if self.sleepers() > 0 {
-            self.signal.notify_all();
-        }
-    }
-
-    /// Number of threads that wait.
-    pub(crate) fn sleepers(&self) -> usize {
-        self.sleepers.load(Ordering::Relaxed)
-    }
 }
 
 impl<T> Watched<T> {
     /// State whose waiters wait in the time of this clock.
     pub fn new(clock: &Clock, state: T) -> Self {
-        Self { state: Mutex::new(state), changed: Wakeup::new(clock) }
+        Self { state: Mutex::new(state), changed: Signal::new(clock), sleepers: AtomicUsize::new(0) }
     }
 
     /// Locks the state. A panic of a thread that held the lock leaves the state valid: every change is complete.
@@ -78,26 +52,21 @@ impl<T> Watched<T> {
 
     /// Clock by which threads wait.
     pub fn clock(&self) -> &Clock {
-        self.changed.signal.clock()
+        self.changed.clock()
     }
 
     /// Waits for a change for at most `time`; may return earlier.
     pub fn wait<'w>(&'w self, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
-        self.wait_on(&self.changed, state, time)
-    }
-
-    /// Waits for a separate wake-up, for which other threads do not wait, as [`wait`](Self::wait) does.
-    pub fn wait_on<'w>(&'w self, wakeup: &Wakeup, state: MutexGuard<'w, T>, time: Duration) -> MutexGuard<'w, T> {
-        wakeup.sleepers.fetch_add(1, Ordering::Relaxed);
-        let state = wakeup.signal.wait(&self.state, state, time);
-        wakeup.sleepers.fetch_sub(1, Ordering::Relaxed);
+        self.sleepers.fetch_add(1, Ordering::Relaxed);
+        let state = self.changed.wait(&self.state, state, time);
+        self.sleepers.fetch_sub(1, Ordering::Relaxed);
         state
     }
 
     /// Number of threads that wait.
     #[cfg(test)]
     pub(crate) fn sleepers(&self) -> usize {
-        self.changed.sleepers()
+        self.sleepers.load(Ordering::Relaxed)
     }
 
     /// Waits until `find` finds something in the state; `None` after `time`.
@@ -119,7 +88,9 @@ impl<T> Watched<T> {
     /// Wakes the threads that wait, after a change under the lock. Usually no thread waits, and the call makes no
     /// system call.
     pub fn wake(&self) {
-        self.changed.wake();
+        if self.sleepers.load(Ordering::Relaxed) > 0 {
+            self.changed.notify_all();
+        }
     }
 }
 

@@ -155,6 +155,18 @@ impl Command {
         variant.and_then(|variant| variant.role).or(self.role)
     }
 
+    /// Field of the request that says by its value whether a command with the role `servo_mode` enters servo mode or
+    /// leaves it (0, or false); `None` if no value of its request leaves it for certain.
+    pub fn servo_mode_field(&self) -> Option<&Field> {
+        match &self.request {
+            Request::Fields(fields) if self.role == Some(Role::ServoMode) => match fields.as_slice() {
+                [field] if !field.optional && !field.or_raw => Some(field),
+                _ => None,
+            },
+            Request::Fields(_) | Request::Choice(_) => None,
+        }
+    }
+
     /// Field of the request, by its Rust name, where all requests have the same fields.
     pub fn request_field(&self, name: &str) -> Option<&Field> {
         match &self.request {

@@ -5,6 +5,8 @@
 pub enum Role {
     /// Stops the arm. `jaka` sends the built-in one, and one of a confirmed pack, without a question.
     Stop,
+    /// Stops the jog of one axis. `jaka` sends the built-in one without a question.
+    StopAxis,
     /// Pauses a motion or a program. `jaka` sends the built-in one without a question.
     Pause,
     /// Resumes a paused motion.
@@ -82,6 +84,7 @@ pub const POSE: &str = "Pose";
 toml_words! {
     Role {
         Stop: "stop",
+        StopAxis: "stop_axis",
         Pause: "pause",
         Resume: "resume",
         SetPoint: "set_point",

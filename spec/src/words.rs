@@ -103,6 +103,7 @@ pub fn known_to(command: &Command) -> Option<String> {
 pub fn role_sentence(role: Role) -> &'static str {
     match role {
         Role::Stop => "Stops the arm.",
+        Role::StopAxis => "Stops the jog of one axis.",
         Role::Pause => "Pauses a motion or a program.",
         Role::Resume => "Resumes what is paused.",
         Role::SetPoint => "Set-point of servo mode.",

@@ -122,7 +122,7 @@ impl Arm {
     /// As [`client`](Self::client) and [`monitor`](Self::monitor).
     pub fn robot(&self) -> Robot {
         let monitor = self.monitor();
-        Robot::new(self.client(), monitor)
+        Robot::new(self.client(), monitor).expect("it is the only robot")
     }
 }
 

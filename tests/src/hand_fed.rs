@@ -46,7 +46,7 @@ impl HandFed {
         let config = Config::new().stale_after(stale_after).reply_timeout(LONG).connect_timeout(LONG);
         let (status, monitor) = accepted(|address| Monitor::connect_with(&config, address));
         let (commands, client) = accepted(|address| Client::connect_with(&config, address));
-        (Self { commands, status }, Robot::new(client, monitor))
+        (Self { commands, status }, Robot::new(client, monitor).expect("it is the only robot"))
     }
 }
 
@@ -61,7 +61,7 @@ impl HandFed<ClockedSocket> {
         let (status, monitor): (_, Monitor) =
             ClockedSocket::accepted(clock, |address| Monitor::connect_with(&config, address));
         let (commands, client) = ClockedSocket::accepted(clock, |address| Client::connect_with(&config, address));
-        (Self { commands, status }, Robot::new(client, monitor))
+        (Self { commands, status }, Robot::new(client, monitor).expect("it is the only robot"))
     }
 }
 

@@ -3,7 +3,8 @@
 
 use std::sync::LazyLock;
 
-use jaka_robot::{MotionStatus, Robot, RobotConfig};
+use jaka_proto::wire::Writer;
+use jaka_robot::{Command, MotionStatus, Robot, RobotConfig};
 use jaka_spec::Spec;
 use serde_json::{Number, Value};
 
@@ -28,6 +29,13 @@ pub use recording_buffer::{RecordingBuffer, events, recorded, requests};
 pub use reserved_port::ReservedPort;
 pub use seeds::seeds;
 pub use skipped::{left_out, skipped};
+
+/// Text of a request as it goes over the wire, for a raw call.
+pub fn text<C: Command>(command: &C) -> String {
+    let mut out = Writer::new();
+    command.write_request(&mut out);
+    out.as_str().to_owned()
+}
 
 /// Robots with options, in one expression.
 pub trait Configured: Sized {

@@ -137,7 +137,7 @@ fn round(options: &Options, host: &Arc<Host>, peak: &Arc<Peak>, summary: &mut Su
 /// Compares an arm's account with what its simulator saw.
 fn settle(options: &Options, host: &Host, arm: u32, done: &Done, findings: &Findings, summary: &mut Summary) {
     let seen = host.requests(arm);
-    for finding in account::check(&done.connections, &seen, &arm::text(&StopProgram::new())) {
+    for finding in account::check(&done.connections, &seen, &crate::text(&StopProgram::new())) {
         findings.add(format!("arm {arm}: {finding}"));
     }
     summary.tally.join(&done.tally);

@@ -25,7 +25,7 @@ pub(crate) fn run(robot: Addresses, offset: Duration, time: Duration, stages: &[
 
 fn connect(robot: Addresses) -> Result<Robot, jaka_robot::Error> {
     let monitor: Monitor = Monitor::connect_with(&Config::new(), robot.status)?;
-    Ok(Robot::new(Client::connect(robot.commands)?, monitor))
+    Ok(Robot::new(Client::connect(robot.commands)?, monitor)?)
 }
 
 fn servo(robot: &mut Robot, time: Duration) -> Result<Tally, jaka_robot::Error> {

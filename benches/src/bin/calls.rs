@@ -43,7 +43,7 @@ fn pipeline(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
 
 fn servo(commands: &str, status: &str, count: u32) -> Result<(), Box<dyn Error>> {
     let monitor: Monitor = Monitor::connect_with(&Config::new(), status)?;
-    let mut robot = Robot::new(Client::connect(commands)?, monitor);
+    let mut robot = Robot::new(Client::connect(commands)?, monitor)?;
     robot.configure(&RobotConfig::new().allow_motion_without_status())?;
     // It spins, so that it is not asleep when the cycle is due; and the arm is not held at the end, so that all
     // set-points are counted.

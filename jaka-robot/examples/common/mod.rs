@@ -41,7 +41,7 @@ impl Target {
     pub(crate) fn robot(&self) -> Result<Robot, jaka_robot::Error> {
         let config = Config::new();
         let monitor: Monitor = Monitor::connect_with(&config, &self.status)?;
-        Ok(Robot::new(Client::connect_with(&config, &self.commands)?, monitor))
+        Ok(Robot::new(Client::connect_with(&config, &self.commands)?, monitor)?)
     }
 
     /// Asks before a robot does something; a simulated one just does it.

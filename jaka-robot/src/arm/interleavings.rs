@@ -10,13 +10,11 @@ use std::time::Duration;
 
 use jaka_clock::Clock;
 use jaka_proto::messages::status::RobotStatus;
-use jaka_sync::layer::StatusNews;
-use shuttle::sync::Mutex;
+use jaka_sync::layer::{StatusNews, Stops};
 use shuttle::thread::{self, JoinHandle};
 
 use super::guards::{GuardProgress, PacketObserver};
 use super::state::{ArmState, Sending};
-use super::stop_handle::UnderWay;
 use crate::{Cause, Disconnect, GuardTrip, Occurrence, Snapshot, TripReason};
 
 /// Number of schedules of each test: at random, and with a few switches of threads anywhere.
@@ -47,9 +45,9 @@ impl Fact {
 
 /// State of an arm that moves: a packet without a stop has come.
 fn moving() -> Arc<ArmState> {
-    let state = ArmState::before_news(String::new(), LONG, &Clock::default(), true);
+    let state = ArmState::before_news(String::new(), LONG, &Stops::new(&Clock::default()), true);
     take(&state, &packet(1));
-    assert!(state.may_send(Sending::Motion, None).is_ok());
+    assert!(state.may_send(Sending::Motion).is_ok());
     Arc::new(state)
 }
 
@@ -91,7 +89,7 @@ fn end(state: &ArmState) {
 }
 
 fn moves(state: &ArmState) -> bool {
-    state.may_send(Sending::Motion, None).is_ok()
+    state.may_send(Sending::Motion).is_ok()
 }
 
 /// Starts a thread with the state.
@@ -128,16 +126,19 @@ fn each_watch_is_woken_by_its_packet() {
 }
 
 #[test]
-fn each_watch_is_woken_by_a_stop_that_was_accepted() {
+fn each_watch_is_woken() {
     check(|| {
-        let state = moving();
-        let watch = |state: &Arc<ArmState>| {
-            let found = state.watch(LONG, |_| state.lock().stops.has_unreported().then_some(()));
-            assert!(matches!(found, Ok(Some(()))), "{found:?}");
+        let (state, has_stopped) = (moving(), Arc::new(Fact::default()));
+        let watch = |has_stopped: &Arc<Fact>| {
+            let has_stopped = Arc::clone(has_stopped);
+            with(&state, move |state| {
+                let found = state.watch(LONG, |_| has_stopped.holds().then_some(()));
+                assert!(matches!(found, Ok(Some(()))), "{found:?}");
+            })
         };
-        let watches = [with(&state, watch), with(&state, watch)];
-        let (_under_way, stop) = UnderWay::begin(&state);
-        state.take_answer(stop, true);
+        let watches = [watch(&has_stopped), watch(&has_stopped)];
+        has_stopped.note();
+        state.wake();
         watches.into_iter().for_each(join);
     });
 }
@@ -154,123 +155,6 @@ fn each_watch_is_woken_by_the_end_of_the_port() {
             assert!(matches!(*cause, Disconnect::Closed { .. }), "{cause:?}");
         }
     });
-}
-
-/// A stop that waits for a session to brake, for as long as it takes. True if the session had said so when it went out.
-fn stop_after_braking(state: &ArmState, has_braked: &Fact) -> bool {
-    let number = state.lock().stops.begin(state.clock().now() + LONG);
-    state.wait_until_braked();
-    let braked = has_braked.holds();
-    state.lock().stops.send(number);
-    braked
-}
-
-#[test]
-fn stops_that_wait_go_out_once_the_session_has_braked() {
-    check(|| {
-        let (state, has_braked) = (moving(), Arc::new(Fact::default()));
-        state.expect_set_point(Some(LONG));
-        let stops = [(); 2].map(|()| {
-            let has_braked = Arc::clone(&has_braked);
-            with(&state, move |state| stop_after_braking(state, &has_braked))
-        });
-        let packets = with(&state, |state| take(state, &packet(2)));
-        state.expect_set_point(Some(LONG));
-        has_braked.note();
-        state.expect_set_point(None);
-        assert_eq!(stops.map(join), [true, true]);
-        join(packets);
-        assert!(state.time_to_brake().is_none() && state.lock().stops.has_sent(None));
-    });
-}
-
-/// A stop that woke would see that the set-point is overdue, and go out.
-#[test]
-fn packets_do_not_wake_a_stop_that_waits() {
-    check(|| {
-        let (state, has_braked) = (moving(), Arc::new(Fact::default()));
-        state.expect_set_point(Some(LONG));
-        let noted = Arc::clone(&has_braked);
-        let stop = with(&state, move |state| stop_after_braking(state, &noted));
-        while state.sleeping_stops() == 0 {
-            thread::yield_now();
-        }
-        state.expect_set_point(Some(Duration::ZERO));
-        take(&state, &packet(2));
-        take(&state, &shows_protective_stop(3));
-        has_braked.note();
-        state.expect_set_point(None);
-        assert!(join(stop), "a packet has woken it");
-    });
-}
-
-/// A gate runs while the connection is locked, and what passes is written before it is unlocked.
-#[test]
-fn no_motion_is_written_after_a_stop_has_begun() {
-    for is_accepted in [true, false] {
-        check(move || {
-            let (state, wire, has_begun) = (moving(), Arc::new(Mutex::new(Vec::new())), Arc::new(Fact::default()));
-            let (written, begun) = (Arc::clone(&wire), Arc::clone(&has_begun));
-            let stop = with(&state, move |state| {
-                let (_under_way, number) = UnderWay::begin(state);
-                begun.note();
-                state.wait_until_braked();
-                state.lock().stops.send(number);
-                written.lock().expect("no thread panics").push("stop");
-                state.take_answer(number, is_accepted);
-            });
-            for _ in 0..3 {
-                let had_begun = has_begun.holds();
-                let mut wire = wire.lock().expect("no thread panics");
-                if moves(&state) {
-                    assert!(!had_begun, "the stop had begun");
-                    wire.push("motion");
-                }
-            }
-            join(stop);
-            assert_eq!(wire.lock().expect("no thread panics").last(), Some(&"stop"));
-            assert!(!moves(&state), "the stop has not been acknowledged");
-            state.acknowledge();
-            assert!(moves(&state));
-        });
-    }
-}
-
-#[test]
-fn acknowledging_a_stop_that_is_on_its_way_lets_no_motion_pass() {
-    for is_accepted in [true, false] {
-        check(move || {
-            let state = moving();
-            let [has_begun, is_over, is_acknowledged] = [(); 3].map(|()| Arc::new(Fact::default()));
-            let (begun, over, acknowledged) = (has_begun.clone(), is_over.clone(), is_acknowledged.clone());
-            let stop = with(&state, move |state| {
-                let (under_way, number) = UnderWay::begin(state);
-                begun.note();
-                state.wait_until_braked();
-                state.lock().stops.send(number);
-                let was_acknowledged = acknowledged.holds();
-                state.take_answer(number, is_accepted);
-                over.note();
-                drop(under_way);
-                was_acknowledged
-            });
-            let acknowledging = with(&state, move |state| {
-                state.acknowledge();
-                is_acknowledged.note();
-            });
-            for _ in 0..3 {
-                let had_begun = has_begun.holds();
-                let passes = moves(&state);
-                assert!(!passes || !had_begun || is_over.holds(), "a stop is on its way");
-            }
-            join(acknowledging);
-            if join(stop) && !is_accepted {
-                assert!(!moves(&state), "nobody could know that the stop would not be accepted");
-            }
-            state.acknowledge();
-            assert!(moves(&state));
-        });
-    }
 }
 
 /// The notes of one run with two packets that show a stop, of which one acknowledgement may come at any time.
@@ -407,8 +291,7 @@ fn a_trip_keeps_the_motion_back_or_calls_for_its_stop() {
                 assert!(matches!(found, Ok(Some(()))), "{found:?}");
                 state.progress(guard, |progress| progress.shut(None))
             });
-            let sent =
-                state.may_send(Sending::Motion, None).and_then(|()| state.progress(guard, GuardProgress::let_out));
+            let sent = state.may_send(Sending::Motion).and_then(|()| state.progress(guard, GuardProgress::let_out));
             join(trips);
             assert_eq!(sent.is_ok(), observer.calls_for_stop.holds(), "{sent:?}");
             assert_eq!(sent.is_ok(), join(watches), "{sent:?}");
@@ -429,12 +312,12 @@ fn a_stop_that_a_packet_shows_must_be_acknowledged_whether_the_status_was_lost_b
             let lost = [lost(), lost()];
             join(packets);
             lost.into_iter().for_each(join);
-            for found in [state.unacknowledged(None), state.unacknowledged_stop(None)] {
+            for found in [state.unacknowledged(), state.unacknowledged_stop()] {
                 assert!(found.as_ref().is_some_and(|found| found.cause == Cause::ProtectiveStop), "{found:?}");
             }
-            assert!(state.may_send(Sending::Holding, None).is_err());
+            assert!(state.may_send(Sending::Holding).is_err());
             state.acknowledge();
-            assert!(state.unacknowledged(None).is_none() && moves(&state));
+            assert!(state.unacknowledged().is_none() && moves(&state));
         });
     }
 }

@@ -90,11 +90,10 @@ impl Position {
         }
         let at = self.clock().now();
         let link = &self.link;
+        let of = |info: &'static CommandInfo| (info, info.role, self.handle);
         let question = match quantity {
-            Quantity::Joints => {
-                link.ask(self.handle, GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out))
-            }
-            Quantity::Pose => link.ask(self.handle, GetTcpPos::INFO, &mut |out| GetTcpPos::new().write_request(out)),
+            Quantity::Joints => link.ask(of(GetJointPos::INFO), &mut |out| GetJointPos::new().write_request(out)),
+            Quantity::Pose => link.ask(of(GetTcpPos::INFO), &mut |out| GetTcpPos::new().write_request(out)),
         }?;
         self.query = Some(Query { question, quantity, at });
         Ok(())
@@ -189,9 +188,11 @@ impl Position {
     /// Waits until two answers say that the arm is at rest; false if they do not within `timeout`.
     pub(crate) fn comes_to_rest(&mut self, timeout: Duration) -> Result<bool, Error> {
         let since = self.clock().stopwatch();
+        let due = self.link.stops.rest_due();
         loop {
             let (left, asked) = (since.left_of(timeout), self.clock().stopwatch());
             if self.place_at_rest(Quantity::Joints, left.max(QUERY_PERIOD * 2))?.is_some() {
+                self.link.stops.rest_seen(due);
                 return Ok(true);
             }
             if left.is_zero() {

@@ -6,23 +6,27 @@ use std::sync::{Arc, Weak};
 use std::time::Duration;
 
 use jaka_clock::Clock;
-use jaka_sync::layer::{MonitorParts as _, StatusNews};
 #[cfg(not(all(test, shuttle)))]
-use jaka_sync::layer::{Wakeup, Watched};
+use jaka_sync::layer::Watched;
+use jaka_sync::layer::{Kept, Stops};
+use jaka_sync::layer::{MonitorParts as _, StatusNews};
 
 use super::guards::{GuardProgress, Guards, PacketObserver};
 use super::status::{Status, check_stops, unknown};
-use super::stops::Stops;
 use super::trouble;
 #[cfg(all(test, shuttle))]
-use crate::sync::{Wakeup, Watched};
-use crate::{Cause, Disconnect, Error, ErrorKind, Monitor, MotionStatus, Occurrence, Snapshot, StatusProblem};
+use crate::sync::Watched;
+use crate::{
+    Cause, Disconnect, Error, ErrorKind, Explanation, Monitor, MotionStatus, Occurrence, Snapshot, StatusProblem,
+};
 
 /// Kind of a command that is to be sent to an arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sending {
-    /// Command that moves the arm: a motion, a set-point, the entry into servo mode.
+    /// Motion that the controller plans.
     Motion,
+    /// Set-point that moves the arm, or the entry into servo mode.
+    SetPoint,
     /// A set-point that brakes it.
     Braking,
     /// A set-point at the present position of the arm.
@@ -40,8 +44,8 @@ pub(crate) enum Sending {
 #[derive(Debug)]
 pub(crate) struct ArmState {
     known: Watched<Known>,
-    /// For stops that wait until a session has braked: packets do not wake them.
-    braked: Wakeup,
+    /// Stops of the command connection. Locked apart from the known facts, never under them.
+    stops: Arc<Stops>,
     stale_after: Duration,
 }
 
@@ -52,8 +56,6 @@ pub(crate) struct Known {
     /// Occurrence that must be acknowledged: a stop that a packet has shown, a lost status, or a packet that tells
     /// nothing because its own type has panicked.
     latched: Option<Occurrence>,
-    /// Stops of the robot's handles.
-    pub(crate) stops: Stops,
     guards: Guards,
     /// Packets that guards have not judged yet.
     unjudged: Vec<Arc<Snapshot>>,
@@ -65,8 +67,9 @@ pub(crate) struct Known {
 
 impl ArmState {
     /// State that follows a monitor, for as long as it lives.
-    pub(crate) fn new<S: MotionStatus>(monitor: &Monitor<S>, clock: &Clock, needs_status: bool) -> Arc<Self> {
-        let state = Arc::new(Self::before_news(monitor.address(), monitor.stale_after(), clock, needs_status));
+    pub(crate) fn new<S: MotionStatus>(monitor: &Monitor<S>, stops: &Arc<Stops>, needs_status: bool) -> Arc<Self> {
+        let state = Self::before_news(monitor.address(), monitor.stale_after(), stops, needs_status);
+        let state = Arc::new(state);
         let weak = Arc::downgrade(&state);
         monitor.listen(move |news| take_into::<S>(&weak, news));
         // Earlier news keeps nothing back by itself, and is known already where packets have come meanwhile.
@@ -81,17 +84,16 @@ impl ArmState {
     }
 
     /// State before any news of a status port at this address, whose packets are stale after this time.
-    pub(super) fn before_news(address: String, stale_after: Duration, clock: &Clock, needs_status: bool) -> Self {
+    pub(super) fn before_news(address: String, stale_after: Duration, stops: &Arc<Stops>, needs_status: bool) -> Self {
         let known = Known {
             status: Status::new(address, stale_after),
             latched: None,
-            stops: Stops::default(),
             guards: Guards::default(),
             unjudged: Vec::new(),
             needs_status,
             wakes: 0,
         };
-        Self { known: Watched::new(clock, known), braked: Wakeup::new(clock), stale_after }
+        Self { known: Watched::new(stops.clock(), known), stops: Arc::clone(stops), stale_after }
     }
 
     /// Takes news of the status port.
@@ -110,7 +112,8 @@ impl ArmState {
     fn take_packet(&self, packet: &Arc<Snapshot>, is_newest: bool) {
         // A packet without information may have hidden a stop.
         let panicked = packet.panicked().cloned().map(|source| Occurrence::status_lost(None, Some(source)));
-        let found = trouble::stop(&packet.status).map(|stop| stop.cause().into()).or(panicked);
+        let stop = trouble::stop(&packet.status);
+        let found = stop.map(|stop| stop.cause().into()).or(panicked);
         let mut known = self.lock();
         if let Some(found) = found {
             known.latch(found);
@@ -121,6 +124,10 @@ impl ArmState {
         }
         drop(known);
         drop(before);
+        // After the packet, from which a gate has the cause.
+        if stop.is_some() {
+            self.stops.require_rest();
+        }
     }
 
     fn judge(&self) {
@@ -166,43 +173,57 @@ impl ArmState {
     /// Fails if this may not be sent now. As a gate it blocks nothing and uses no connection.
     ///
     /// A stop that has begun by the time of the write is on the wire before it, or will be sent after it.
-    ///
-    /// `told` is the number of the last stop that is known to the program of a lent arm.
-    pub(super) fn may_send(&self, what: Sending, told: Option<u64>) -> Result<(), Error> {
-        let known = self.lock();
+    pub(super) fn may_send(&self, what: Sending) -> Result<(), Error> {
+        self.packets_permit(what)?;
         match what {
-            Sending::Motion => {
+            Sending::Motion => self.stops.check_motion(),
+            Sending::SetPoint | Sending::Holding => self.stops.check_set_point(),
+            // Until a stop goes out.
+            Sending::Braking => self.stops.check_braking(),
+        }
+        .map_err(kept_back)
+    }
+
+    /// Fails if packets keep this back.
+    fn packets_permit(&self, what: Sending) -> Result<(), Error> {
+        let known = self.lock();
+        let latched = match what {
+            Sending::Motion | Sending::SetPoint => {
                 if known.needs_status {
                     check_stops(known.status.fresh_status().map_err(unknown)?)?;
                 }
-                known.unacknowledged(told).map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
+                known.latched.as_ref()
             }
             // Also if the status is unknown.
             Sending::Braking | Sending::Holding => {
                 known.status.fresh_status().map_or(Ok(()), |newest| check_stops(newest))?;
-                match known.unacknowledged_stop(told) {
-                    None => Ok(()),
-                    // Before a stop of the program's own goes out.
-                    Some(Occurrence { cause: Cause::Stopped, .. })
-                        if what == Sending::Braking && !known.stops.has_sent(told) =>
-                    {
-                        Ok(())
-                    }
-                    Some(occurrence) => Err(not_acknowledged(occurrence)),
-                }
+                known.latched.as_ref().filter(|occurrence| !is_lost(occurrence))
             }
-        }
+        };
+        latched.cloned().map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
     }
 
     /// Occurrence that must be acknowledged, if there is one.
-    pub(super) fn unacknowledged(&self, told: Option<u64>) -> Option<Occurrence> {
-        self.lock().unacknowledged(told)
+    pub(super) fn unacknowledged(&self) -> Option<Occurrence> {
+        let latched = self.lock().latched.clone();
+        latched.or_else(|| self.stop())
     }
 
     /// Occurrence that must be acknowledged, apart from a lost status: set-points that brake and hold the arm do not
     /// wait for that.
-    pub(super) fn unacknowledged_stop(&self, told: Option<u64>) -> Option<Occurrence> {
-        self.lock().unacknowledged_stop(told)
+    pub(super) fn unacknowledged_stop(&self) -> Option<Occurrence> {
+        let latched = self.lock().latched.clone().filter(|occurrence| !is_lost(occurrence));
+        latched.or_else(|| self.stop())
+    }
+
+    /// True while a stop that a packet has shown, or a lost status, keeps motions back.
+    pub(super) fn is_latched(&self) -> bool {
+        self.lock().latched.is_some()
+    }
+
+    /// Stop of the program that keeps motions back, if there is one.
+    fn stop(&self) -> Option<Occurrence> {
+        self.stops.is_held().then(|| Cause::Stopped.into())
     }
 
     /// Keeps motions back from now on. An earlier occurrence stays, but a stop that a packet shows takes the place of a
@@ -216,9 +237,9 @@ impl ArmState {
     pub(crate) fn acknowledge(&self) {
         let mut known = self.lock();
         let before = known.latched.take();
-        known.stops.acknowledge();
         drop(known);
         drop(before);
+        self.stops.acknowledge();
     }
 
     /// Sets whether motions need a known status.
@@ -311,51 +332,6 @@ impl ArmState {
         let disarmed = self.lock().guards.remove(guard);
         drop(disarmed);
     }
-
-    /// A servo session that moves the arm sends its next set-point within this time; `None` if none moves it.
-    pub(crate) fn expect_set_point(&self, within: Option<Duration>) {
-        let due = within.map(|within| self.clock().now() + within);
-        if self.lock().stops.expect_set_point(due) {
-            self.braked.wake();
-        }
-    }
-
-    /// Waits while a servo session brakes. Does not wait for a session with an overdue set-point, because the arm has
-    /// none to follow.
-    pub(super) fn wait_until_braked(&self) {
-        let mut known = self.known.lock();
-        while let Some(until) = known.stops.waits_until() {
-            let left = self.clock().left(until);
-            if left.is_zero() {
-                break;
-            }
-            known = self.known.wait_on(&self.braked, known, left);
-        }
-        known.stops.no_longer_waits();
-    }
-
-    /// Number of the stops that sleep in [`wait_until_braked`](Self::wait_until_braked).
-    #[cfg(all(test, shuttle))]
-    pub(super) fn sleeping_stops(&self) -> usize {
-        self.braked.sleepers()
-    }
-
-    /// Takes the answer of the controller to a stop, and wakes the threads in [`watch`](Self::watch) if it has accepted
-    /// it.
-    pub(super) fn take_answer(&self, stop: u64, is_accepted: bool) {
-        if is_accepted {
-            self.lock().stops.take(stop);
-            self.wake();
-        } else {
-            self.lock().stops.fail();
-        }
-    }
-
-    /// Time that a stop waits yet for a servo session to brake; `None` if none waits.
-    pub(crate) fn time_to_brake(&self) -> Option<Duration> {
-        let latest = self.lock().stops.goes_out_at()?;
-        Some(self.clock().left(latest))
-    }
 }
 
 /// Takes news into a state that may not be there any more.
@@ -371,19 +347,19 @@ impl Known {
             self.latched = Some(found);
         }
     }
-
-    fn unacknowledged(&self, told: Option<u64>) -> Option<Occurrence> {
-        self.latched.clone().or_else(|| self.stops.pending(told))
-    }
-
-    fn unacknowledged_stop(&self, told: Option<u64>) -> Option<Occurrence> {
-        let shown = self.latched.clone().filter(|occurrence| !is_lost(occurrence));
-        shown.or_else(|| self.stops.pending(told))
-    }
 }
 
 fn is_lost(occurrence: &Occurrence) -> bool {
     occurrence.cause == Cause::StatusLost
+}
+
+/// Error for what stops or a session keep back.
+pub(crate) fn kept_back(by: Kept) -> Error {
+    match by {
+        Kept::Stopped => not_acknowledged(Cause::Stopped.into()),
+        Kept::NotAtRest => ErrorKind::NotReady { explanation: Explanation::Moving }.into(),
+        Kept::Led => ErrorKind::NotReady { explanation: Explanation::ServoModeOn }.into(),
+    }
 }
 
 pub(super) fn not_acknowledged(occurrence: Occurrence) -> Error {

@@ -46,6 +46,8 @@ jaka_proto::worded! {
         MoveToStart => "move the arm there first, or set an approach (`FollowConfig::approach`)",
         /// Leave the port out of the address of a robot, or name both ports.
         LeaveOutPort => "give its address without a port, or both addresses to `Robot::connect_at`",
+        /// Use the robot of the connection, or drop it first.
+        UseOneRobot => "use the robot of the connection, drop it first, or connect once more",
         /// Switch the force sensor on.
         SwitchSensorOn => "switch the sensor on (`set_torque_sensor_mode`)",
         /// Move more slowly.

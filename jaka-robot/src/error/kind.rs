@@ -46,6 +46,9 @@ jaka_proto::worded! {
             address: String,
         } =>
             "cannot connect to {address}: the address has a port, but a robot has two",
+        /// The connection of a client has a robot already, and no second one was made of it: see
+        /// [`Robot::new`](crate::Robot::new).
+        HasRobot => "no second robot was made: the connection of this client has a robot already",
         /// The controller refused the command, which did not run. The connection is fine.
         Refused {
             /// The controller's own words.
@@ -318,6 +321,7 @@ impl ErrorKind {
             Self::NotLanded { first, landing } => Sequence::new(first, landing).cause(),
             Self::InvalidOption { .. }
             | Self::PortInAddress { .. }
+            | Self::HasRobot
             | Self::Thread { .. }
             | Self::ModelMismatch { .. }
             | Self::RealtimePriority { .. } => Cause::Failed,
@@ -399,6 +403,7 @@ impl ErrorKind {
             | Self::RestNotSeen { first: None, .. } => self.cause().remedy(),
             Self::Connection(error) => error.remedy().into(),
             Self::PortInAddress { .. } => Remedy::LeaveOutPort,
+            Self::HasRobot => Remedy::UseOneRobot,
             Self::NotChecked { reason, .. } => reason.remedy(),
             Self::RealtimePriority { source, .. } if source.kind() == io::ErrorKind::PermissionDenied => {
                 Remedy::AllowRealtimePriority
@@ -425,6 +430,7 @@ impl ErrorKind {
             },
             Self::InvalidOption { .. } => Meaning::not_run(Group::InvalidArgument),
             Self::PortInAddress { .. } => Meaning::not_run(Group::Connect),
+            Self::HasRobot => Meaning::not_run(Group::Other),
             Self::Refused { .. } => Meaning::not_run(Group::Refused),
             Self::CommandsLost { cause, .. } => {
                 Meaning::not_run(Group::Disconnected).source(&**cause as &(dyn StdError + 'static))

@@ -130,11 +130,11 @@ impl<'o> Way<'o> {
     /// Ends the session after an error: the arm is braked along the curve, or straight on where that takes too long,
     /// also because a stop of the program's own goes out before. Says whether it has left the curve.
     fn braked(&mut self, session: &mut ServoSession<'_>, error: Error) -> (Error, bool) {
-        let (mut straight_on, state) = (session.straight_on(), Arc::clone(&session.arm.state));
+        let (mut straight_on, stops) = (session.straight_on(), Arc::clone(session.arm.stops()));
         let (mut is_straight_on, mut is_stopping, mut ahead) = (false, None, LookAhead::default());
         self.leading().brake();
         let error = session.end_by(error, &mut |course| {
-            let left = state.time_to_brake();
+            let left = stops.time_to_brake();
             if is_stopping.replace(left.is_some()) != Some(left.is_some()) {
                 ahead = self.look_ahead(straight_on.periods(course), left);
             }

@@ -6,10 +6,11 @@ use std::time::Duration;
 
 use jaka_clock::lock;
 use jaka_proto::wire::DecodeError;
+use jaka_sync::layer::WrittenStop;
 
 use super::Guard;
 use super::condition::Judging;
-use crate::arm::{ArmState, GuardProgress, PacketObserver, Written};
+use crate::arm::{ArmState, GuardProgress, PacketObserver};
 use crate::{Error, GuardTrip, RobotStop, Snapshot, StatusProblem};
 
 /// A guard that judges each packet as it comes, on the monitor's thread, until it is dropped. The owner of a motion
@@ -37,7 +38,7 @@ struct Early {
     /// None before the motion, and once it was used, or may be no more.
     stop: Option<RobotStop>,
     /// The stop that was written.
-    written: Option<Written>,
+    written: Option<WrittenStop>,
 }
 
 impl Armed {
@@ -69,7 +70,7 @@ impl Armed {
     }
 
     /// The stop that the monitor's thread has written, if it has. It writes none any more.
-    pub(crate) fn take_written(&self) -> Option<Written> {
+    pub(crate) fn take_written(&self) -> Option<WrittenStop> {
         let mut early = lock(&self.0.early);
         early.stop = None;
         early.written.take()

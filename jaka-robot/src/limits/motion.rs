@@ -144,7 +144,7 @@ impl Check<'_> {
     fn start_in_queue(&self) -> Result<JointPosition, Error> {
         let (limited, link) = (&self.limited, self.arm.link());
         let is_as_planned =
-            limited.stops == link.stop_count() && limited.changes_by_others == self.arm.changes_by_others();
+            limited.stops == link.stops.begun() && limited.changes_by_others == self.arm.changes_by_others();
         match limited.planned {
             _ if limited.frame_changes != link.frame_changes() => Err(self.not_checked(Unchecked::FramesInQueue)),
             Some(planned) if is_as_planned => Ok(planned),

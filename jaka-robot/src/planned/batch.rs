@@ -22,7 +22,7 @@ pub(super) struct Batch {
     /// ended.
     pub(super) has_left: bool,
     count: u32,
-    begin: Begin,
+    pub(super) begin: Begin,
     frames: GoalFrames,
     pub(super) under_way: UnderWay,
     /// True if one of the motions depends on the selected frames.
@@ -42,6 +42,8 @@ pub(super) struct Begin {
     /// True if the motion depends on the selected frames.
     pub(super) depends_on_frames: bool,
     pub(super) code: Option<String>,
+    /// The latest stop before: a later one ends the motion.
+    pub(super) stops: u64,
 }
 
 /// Frames of a goal, by packets, unless these may be older than a change by this program; and the number of changes by
@@ -66,6 +68,7 @@ impl Begin {
             under_way,
             depends_on_frames: false,
             code: arm::code(status).map(str::to_owned),
+            stops: 0,
         }
     }
 }

@@ -57,7 +57,7 @@ impl GuardThread {
     pub(super) fn written(&self, seen: Option<&Why>) -> Option<Stopped> {
         let written = self.armed.take_written()?;
         let why = self.armed.trip().map(Why::Trip).or_else(|| seen.cloned());
-        Some(Stopped { why, stop: self.stop.finish(&written) })
+        Some(Stopped { why, stop: self.stop.finish(written) })
     }
 
     /// A stop that was not accepted ends the wait.
@@ -100,7 +100,7 @@ pub(super) enum Why {
 
 impl Stopped {
     pub(super) fn new(stop: &RobotStop, why: Option<Why>) -> Self {
-        Self { why, stop: stop.stop_and_tell() }
+        Self { why, stop: stop.end_motion() }
     }
 }
 

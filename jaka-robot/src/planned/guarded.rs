@@ -108,7 +108,6 @@ impl GuardedRun<'_> {
     fn end_of_guarded(&mut self, guarding: &GuardThread, mut end: End, stopped: Option<Stopped>) -> End {
         let may_move = end.occurrence.consequence().may_move();
         let Some(stopped) = stopped.or_else(|| may_move.then(|| Stopped::new(&guarding.stop, None))) else {
-            self.moving.report(&end);
             return end;
         };
         self.moving.take(&stopped.stop);

@@ -74,7 +74,7 @@ impl EndWait<'_> {
     /// Checks the newest packet, the stops, and the connection on which the arm could be stopped, and returns the next
     /// step, if they show one.
     fn observe(&mut self, newest: Option<&Arc<Snapshot>>, heard: &mut Heard) -> Option<Next> {
-        if self.arm.state.lock().stops.has_unreported() {
+        if self.arm.stops().accepted() > self.rule.batch.begin.stops {
             return Some(Next::ended(Cause::Stopped));
         }
         let shown = newest.filter(|newest| heard.takes(newest)).and_then(|newest| self.rule.packet(newest));
@@ -121,7 +121,7 @@ impl EndWait<'_> {
     /// The end as reported to the program. With an unknown target, the arm may be at rest because of a stop whose reply
     /// has not come.
     fn told(&self, occurrence: Occurrence, rest: Rest) -> (Occurrence, Rest) {
-        let is_stopping = occurrence.cause == Cause::AtRest && self.arm.state.lock().stops.is_under_way();
+        let is_stopping = occurrence.cause == Cause::AtRest && self.arm.stops().is_under_way();
         (if is_stopping { Cause::Stopped.into() } else { occurrence }, rest)
     }
 }

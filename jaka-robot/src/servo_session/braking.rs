@@ -33,6 +33,7 @@ impl Braking {
             | ErrorKind::NotGuarded { .. }
             | ErrorKind::FramesChanged { .. }
             | ErrorKind::PortInAddress { .. }
+            | ErrorKind::HasRobot
             | ErrorKind::BeyondLimit { .. }
             | ErrorKind::NotChecked { .. }
             | ErrorKind::ModelMismatch { .. }

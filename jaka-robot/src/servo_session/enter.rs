@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use jaka_motion::Checker;
+use jaka_proto::Command;
 use jaka_proto::messages::servo::{IsInServomove, SetServoMode, SetServoMoveFilter};
 use jaka_proto::messages::types::Switch;
-use jaka_proto::{Command, Role};
-use jaka_sync::layer::{ClientParts as _, Reservation};
+use jaka_sync::layer::ClientParts as _;
 
 use super::course::Course;
 use super::pace::{CYCLE, Pace};
@@ -15,14 +15,6 @@ use super::{LedArm, ServoConfig, ServoSession, SessionConfig};
 use crate::arm::{Arm, Sending};
 use crate::limits::LimitChecks;
 use crate::{Error, Explanation, Report, Rest};
-
-/// Commands that other handles may send while a session leads the arm: outputs, and queries that a controller answers
-/// at once. A stop passes, too. Power and enabling are kept back: at speed the arm would fall into its brakes, where a
-/// stop brakes it.
-const MEANWHILE: Reservation = Reservation {
-    because: "a servo session, a stream or a trajectory moves the arm, and only outputs, short queries and stops are sent meanwhile",
-    lets_pass: |info| info.and_then(|info| info.role).is_some_and(Role::passes_beside_set_points),
-};
 
 impl<'r> ServoSession<'r> {
     /// Enters servo mode for set-points that a program gives.
@@ -51,7 +43,7 @@ impl<'r> ServoSession<'r> {
         rates.check_themselves()?;
         let priority = config.take_priority()?;
         rest(arm, has_motions, config.enter_timeout)?;
-        let reserved = Some(arm.reserve(MEANWHILE));
+        let lead = Some(arm.lead()?);
         let (frame_changes, under_way) = (arm.link().frame_changes(), arm.under_way());
         if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
             return Err(arm.not_ready(Explanation::ServoModeOn));
@@ -59,7 +51,7 @@ impl<'r> ServoSession<'r> {
         check(arm, limits)?;
         limits.forget_plan();
         if let Some(filter) = &config.filter {
-            let gate = arm.gate(Sending::Motion);
+            let gate = arm.gate(Sending::SetPoint);
             let client = arm.client();
             client.call_through(Some(&gate), filter, client.timeout_of(SetServoMoveFilter::INFO))?;
         }
@@ -70,7 +62,7 @@ impl<'r> ServoSession<'r> {
             under_way,
             arm,
             limits,
-            reserved,
+            lead,
             config: config.clone(),
             rates,
             course: Course::unknown(),
@@ -94,7 +86,7 @@ impl<'r> ServoSession<'r> {
 
     /// Switches servo mode on, and returns the place of the arm in it.
     fn switch_on(&mut self) -> Result<Course, Error> {
-        let gate = self.arm.gate(Sending::Motion);
+        let gate = self.arm.gate(Sending::SetPoint);
         let (client, timeout) = (self.arm.client(), self.config.enter_timeout);
         let on =
             client.call_through(Some(&gate), &SetServoMode::new(Switch::On), client.timeout_of(SetServoMode::INFO));

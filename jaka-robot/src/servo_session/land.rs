@@ -109,13 +109,17 @@ impl ServoSession<'_> {
             // Set-points that were sent before may be refused yet.
             let outstanding = u64::try_from(self.arm.link().outstanding()).unwrap_or(u64::MAX);
             let refused = self.report.refused.saturating_add(outstanding);
-            self.brake(braking, refused).and_then(|()| self.hold(refused))
+            match self.brake(braking, refused) {
+                // No set-point follows a stop, but packets may show rest.
+                Err(error) if error.cause() == Cause::Stopped => self.hold(refused).and(Err(error)),
+                braked => braked.and_then(|()| self.hold(refused)),
+            }
         } else {
             // It was entered at rest.
             self.rest = Rest::Packets;
             Ok(())
         };
-        self.arm.state.expect_set_point(None);
+        self.expect_set_point(false);
         came
     }
 
@@ -131,7 +135,7 @@ impl ServoSession<'_> {
             if !self.send_landing(next, &gate, refused)? {
                 return Ok(());
             }
-            self.arm.state.expect_set_point(Some(self.config.gap() * 2));
+            self.expect_set_point(true);
         }
         Ok(())
     }
@@ -147,7 +151,7 @@ impl ServoSession<'_> {
     /// Until packets show the arm at rest at the last set-point, or, where packets do not come, for a while.
     fn hold(&mut self, refused: u64) -> Result<(), Error> {
         // A stop of the program's own can go out now.
-        self.arm.state.expect_set_point(None);
+        self.expect_set_point(false);
         let since = self.arm.clock().stopwatch();
         let (mut stillness, mut is_held) = (Stillness::new(since.began, self.course.held_joints()), true);
         loop {

@@ -115,7 +115,7 @@ impl ServoSession<'_> {
             (_, Err(leaving)) => not_left(Some(first), leaving),
         };
         self.ended = Some(SessionEnd::of(&error));
-        drop(self.reserved.take());
+        self.end_lead();
         self.arm.link().record_motion(MotionStep::Failed, || error.kind().to_string());
         drop(self.priority.take());
         error
@@ -144,7 +144,7 @@ impl ServoSession<'_> {
     /// it.
     pub(super) fn leave(&mut self) -> Result<(), Error> {
         self.is_open = false;
-        self.arm.state.expect_set_point(None);
+        self.expect_set_point(false);
         // Another thread that reads may have received replies meanwhile.
         let (answers, unanswered) = self.arm.link().forget_posted();
         self.count(answers);
@@ -152,7 +152,7 @@ impl ServoSession<'_> {
         let off = self.arm.ask(&SetServoMode::new(Switch::Off))?;
         let left = self.wait_until_left(&off, unanswered);
         self.arm.link().forget(&off);
-        drop(self.reserved.take());
+        self.end_lead();
         left
     }
 

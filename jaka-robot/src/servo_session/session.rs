@@ -10,7 +10,7 @@ use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::recording::MotionStep;
-use jaka_sync::layer::{Answers, ClientParts as _, Gate, Reserved};
+use jaka_sync::layer::{Answers, ClientParts as _, Gate, Leading};
 
 use super::ServoConfig;
 use super::course::Course;
@@ -89,7 +89,7 @@ pub struct ServoSession<'r> {
     pub(crate) arm: &'r mut Arm,
     pub(crate) limits: &'r mut LimitChecks,
     /// Keeps back commands of other handles, until the session ends.
-    pub(super) reserved: Option<Reserved>,
+    pub(super) lead: Option<Leading>,
     pub(super) config: ServoConfig,
     pub(super) rates: Rates,
     pub(super) pace: Pace,
@@ -263,7 +263,7 @@ impl ServoSession<'_> {
             return Ok(late);
         }
         // A stop may have come meanwhile, and says more.
-        self.arm.gate(Sending::Motion)().and(Err(ErrorKind::SetPointLate { late }.into()))
+        self.arm.gate(Sending::SetPoint)().and(Err(ErrorKind::SetPointLate { late }.into()))
     }
 
     /// True if each joint was slower than its acceleration limit times a period at the last set-point, so that an arm
@@ -313,13 +313,29 @@ impl ServoSession<'_> {
         }
         self.arm.check_acknowledged()?;
         self.check_unanswered()?;
-        let (gate, begun) = (self.arm.gate(Sending::Motion), self.begun);
+        let (gate, begun) = (self.arm.gate(Sending::SetPoint), self.begun);
         let most = if self.can_begin_with(&set_point, joints) { most } else { most.min(self.most_without_gap()) };
         let late = self.post(&set_point, &gate, most)?;
         self.course.sent(set_point, joints);
         self.went_out(late, begun);
-        self.arm.state.expect_set_point(self.course.is_moving().then(|| self.config.gap() * 2));
+        self.expect_set_point(self.course.is_moving());
         Ok(())
+    }
+
+    /// Tells stops whether another set-point is to come that moves or brakes the arm: they wait for it.
+    pub(super) fn expect_set_point(&self, is_moving: bool) {
+        if let Some(lead) = &self.lead {
+            lead.expect_set_point(is_moving.then(|| self.arm.clock().now() + self.config.gap() * 2));
+        }
+    }
+
+    /// Ends the lead. Where the arm was not seen at rest, other commands are kept back until it is.
+    pub(super) fn end_lead(&mut self) {
+        if let Some(lead) = self.lead.take() {
+            if self.rest.was_seen() {
+                lead.end_at_rest();
+            }
+        }
     }
 
     /// True if an arm at rest at the last set-point can continue with this one.

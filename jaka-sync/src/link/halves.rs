@@ -12,6 +12,7 @@ use jaka_proto::wire::{DecodeError, Writer};
 use jaka_proto::{Envelope, read_envelope};
 
 use super::WIRE;
+use super::stops::Stops;
 use crate::Disconnect;
 use crate::receive::{self, Chunk};
 use crate::recorder::Tap;
@@ -107,7 +108,7 @@ impl Inbound {
     /// Attributes all messages that have been read, up to the waiter's own reply, and returns their number.
     pub(super) fn attribute(
         &mut self,
-        tap: &Tap,
+        (tap, stops): (&Tap, &Stops),
         exchange: &mut Exchange,
         waiter: &mut Waiter<'_>,
     ) -> Result<usize, Disconnect> {
@@ -116,7 +117,7 @@ impl Inbound {
             let Some(frame) = self.framer.next_frame().map_err(Disconnect::Frame)? else { break };
             tap.received(frame);
             let text = framing::text(frame);
-            self.panic = receive_one(exchange, &text, waiter).map_err(|cause| explained(cause, &text))?;
+            self.panic = receive_one((exchange, stops), &text, waiter).map_err(|cause| explained(cause, &text))?;
             count += 1;
         }
         Ok(count)
@@ -130,15 +131,19 @@ impl Inbound {
 
 /// Attributes a reply, even if a logger, or the code that reads the reply for its waiter, panics: the attribution does
 /// not depend on them.
-fn receive_one(exchange: &mut Exchange, text: &str, waiter: &mut Waiter<'_>) -> Result<Option<Panic>, Disconnect> {
+fn receive_one(
+    (exchange, stops): (&mut Exchange, &Stops),
+    text: &str,
+    waiter: &mut Waiter<'_>,
+) -> Result<Option<Panic>, Disconnect> {
     let read = panic::catch_unwind(AssertUnwindSafe(|| {
         log::trace!(target: WIRE, "<- {text}");
         waiter.read(text)
     }));
     match read {
-        Ok(envelope) => deliver(exchange, text, envelope, waiter),
+        Ok(envelope) => deliver((exchange, stops), text, envelope, waiter),
         Err(payload) => {
-            deliver(exchange, text, read_envelope(text), &mut Waiter::nobody())?;
+            deliver((exchange, stops), text, read_envelope(text), &mut Waiter::nobody())?;
             // The waiter is gone.
             if let Some(request) = waiter.request() {
                 exchange.discard_pending(request);
@@ -150,13 +155,15 @@ fn receive_one(exchange: &mut Exchange, text: &str, waiter: &mut Waiter<'_>) -> 
 
 /// Attributes a reply that was read, and logs one that came late.
 fn deliver(
-    exchange: &mut Exchange,
+    (exchange, stops): (&mut Exchange, &Stops),
     text: &str,
     envelope: Result<Option<Envelope<'_>>, DecodeError>,
     waiter: &mut Waiter<'_>,
 ) -> Result<Option<Panic>, Disconnect> {
     let envelope = envelope.map_err(Disconnect::NotJson)?;
+    let is_accepted = envelope.as_ref().is_none_or(Envelope::is_accepted);
     let received = exchange.receive(text, envelope, waiter).map_err(Disconnect::OutOfSync)?;
+    stops.answered(received.request, is_accepted);
     if received.delivery != Delivery::Discarded {
         return Ok(None);
     }

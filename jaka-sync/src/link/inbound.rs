@@ -3,9 +3,9 @@
 use std::panic;
 use std::time::{Duration, Instant};
 
-use jaka_proto::CommandInfo;
 use jaka_proto::exchange::{ReadReply, Waiter};
 use jaka_proto::wire::Writer;
+use jaka_proto::{CommandInfo, Role};
 
 use super::halves::Inbound;
 use super::state::{LinkState, Mode};
@@ -78,7 +78,7 @@ impl Link {
     }
 
     fn attribute_all(&self, inbound: &mut Inbound, state: &mut LinkState) -> Result<(), Disconnect> {
-        inbound.attribute(&self.tap, &mut state.exchange, &mut Waiter::nobody()).map(drop)
+        inbound.attribute((&self.tap, &self.stops), &mut state.exchange, &mut Waiter::nobody()).map(drop)
     }
 
     /// Calls a closure with the receiving half, unless a thread reads or reading has ended.
@@ -149,7 +149,7 @@ impl Link {
             return self.state.wait(state, left);
         };
         // Bytes that were read before come first: they may be the only ones that a thread waits for.
-        let mut attributed = inbound.attribute(&self.tap, &mut state.exchange, waiter);
+        let mut attributed = inbound.attribute((&self.tap, &self.stops), &mut state.exchange, waiter);
         if matches!(attributed, Ok(0)) {
             attributed = Self::switch(&mut state, Mode::Blocking).map_err(Disconnect::Read).map(|()| 0);
         }
@@ -159,7 +159,7 @@ impl Link {
             // Before the lock: after a reset this closes the socket.
             drop(stream);
             state = self.state.lock();
-            let count = inbound.attribute(&self.tap, &mut state.exchange, waiter);
+            let count = inbound.attribute((&self.tap, &self.stops), &mut state.exchange, waiter);
             attributed = count.and_then(|count| read.map(|_| count));
         }
         if let Err(cause) = attributed {
@@ -184,11 +184,10 @@ impl Link {
     /// [`forget`](Self::forget) gives up the reply. A send that takes longer than the reply timeout fails.
     pub fn ask(
         &self,
-        by: Handle,
-        info: &'static CommandInfo,
+        (info, role, by): (&'static CommandInfo, Option<Role>, Handle),
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<Sent<'static>, Error> {
-        let outgoing = Outgoing::of(&self.clock, info, self.reply_timeout).of_handle(by);
+        let outgoing = Outgoing::of(&self.clock, info, self.reply_timeout).of_handle(by).in_role(role);
         self.send(&outgoing.in_forms_of(self.firmware()), write)
     }
 

@@ -9,7 +9,7 @@ use jaka_proto::exchange::RequestId;
 use jaka_proto::wire::Writer;
 
 use super::halves::Outbound;
-use super::outgoing::{Gate, Outgoing, Right, SendError};
+use super::outgoing::{Gate, Outgoing, SendError};
 use super::state::{LinkState, Mode};
 use super::{Link, Transmission, WIRE};
 use crate::sync::MutexGuard;
@@ -74,7 +74,7 @@ impl Link {
         write: &mut dyn FnMut(usize, &mut Writer),
         lines: Option<&mut Vec<String>>,
     ) -> Result<Dispatched, SendError<R>> {
-        let _passing = (outgoing.right == Right::Stop).then(|| Passing::new(self));
+        let _passing = outgoing.is_stop().then(|| Passing::new(self));
         let (mut turn, mut state) = self.take_turn(outgoing)?;
         let (Some(outbound), Some(stream)) = (turn.outbound.as_mut(), state.stream.clone()) else {
             return Err(self.attach(outgoing.not_sent()).into());
@@ -83,8 +83,10 @@ impl Link {
         outbound.out.set_firmware(outgoing.firmware);
         // A panic of the writing code leaves no request: none is entered yet, and the next call clears the buffer.
         outbound.compose(count, write);
-        state.check_reserved(outgoing).map_err(|error| self.attach(error))?;
-        gate.map_or(Ok(()), |gate| gate()).map_err(SendError::KeptBack)?;
+        match gate {
+            Some(gate) => gate().map_err(SendError::KeptBack)?,
+            None => self.stops.check(outgoing).map_err(|error| self.attach(error))?,
+        }
         self.enter(&mut state, outbound, outgoing);
         drop(state);
         let written = self.write(outbound, &stream, outgoing);
@@ -111,8 +113,10 @@ impl Link {
                 (_, name) => state.exchange.send(name.clone()),
             };
             state.frame_changes += u64::from(outgoing.changes_frames());
-            state.stops += u64::from(outgoing.right != Right::Usual);
             state.count_change(outgoing);
+            if let Some(number) = outgoing.stop {
+                self.stops.entered(*request, number);
+            }
         }
     }
 
@@ -190,7 +194,7 @@ impl Link {
                 self.break_off(&mut state, cause);
             }
             self.check(&state, outgoing.command, Transmission::NotSent)?;
-            let lets_pass = outgoing.right == Right::Usual && self.stops.load(Ordering::SeqCst) > 0;
+            let lets_pass = !outgoing.is_stop() && self.passing.load(Ordering::SeqCst) > 0;
             if !lets_pass && state.outbound.is_some() {
                 return Ok((Turn { link: self, outbound: state.outbound.take() }, state));
             }
@@ -233,14 +237,14 @@ pub(super) struct Passing<'l>(&'l Link);
 
 impl<'l> Passing<'l> {
     pub(super) fn new(link: &'l Link) -> Self {
-        link.stops.fetch_add(1, Ordering::SeqCst);
+        link.passing.fetch_add(1, Ordering::SeqCst);
         Self(link)
     }
 }
 
 impl Drop for Passing<'_> {
     fn drop(&mut self) {
-        self.0.stops.fetch_sub(1, Ordering::SeqCst);
+        self.0.passing.fetch_sub(1, Ordering::SeqCst);
         // With the lock, so that no thread is between checking and waiting.
         let _state = self.0.state.lock();
         self.0.state.wake();

@@ -7,18 +7,11 @@ use std::time::Duration;
 use jaka_clock::{Clock, Stopwatch};
 use jaka_proto::check::{NotSent, Rules};
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion};
+use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion, Role};
 
 use super::not_sent_in_time;
+use super::stops::UnderWay;
 use crate::{Error, ErrorKind};
-
-/// Priority among threads that wait for their turn to send.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Right {
-    Usual,
-    /// A stop, which precedes all others.
-    Stop,
-}
 
 /// Handle of a connection: its first client, or one of [`Client::try_clone`](crate::Client::try_clone).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -27,15 +20,6 @@ pub struct Handle(pub(super) u64);
 impl Handle {
     /// Handle of the first client.
     pub(crate) const FIRST: Self = Self(0);
-}
-
-/// Reservation of a connection by one handle: decides which commands of other handles may be sent.
-#[derive(Debug, Clone, Copy)]
-pub struct Reservation {
-    /// Reason for the error of a command that is kept back.
-    pub because: &'static str,
-    /// Decides whether a command passes; `None` for a command that neither the spec nor its caller knows.
-    pub lets_pass: fn(Option<&CommandInfo>) -> bool,
 }
 
 /// Check by the sending thread, immediately before it sends a command: an error, the reason, keeps the command back.
@@ -102,7 +86,12 @@ pub(crate) struct Outgoing<'o> {
     /// Start of the timeout, which includes the wait for the turn and the sending.
     pub(super) since: Stopwatch,
     pub(super) timeout: Duration,
-    pub(super) right: Right,
+    /// Role of the request for the arm; `None` if it has none, or is not known.
+    pub(super) role: Option<Role>,
+    /// True if only its caller knows the request: its role is that of its command.
+    pub(super) is_raw: bool,
+    /// Number of the stop, if it is one that has begun.
+    pub(super) stop: Option<u64>,
     /// Whether the outcomes are counted, and no thread waits for one in particular.
     pub(super) is_posted: bool,
     pub(super) by: Handle,
@@ -115,12 +104,14 @@ pub(crate) struct Outgoing<'o> {
 impl<'o> Outgoing<'o> {
     /// Command of the spec, whose time begins now.
     pub(crate) fn of(clock: &Clock, info: &'static CommandInfo, timeout: Duration) -> Self {
-        Self { info: Some(info), ..Self::unknown(clock, info.name, Cow::Borrowed(info.name), timeout) }
+        let unknown = Self::unknown(clock, info.name, Cow::Borrowed(info.name), timeout);
+        Self { info: Some(info), role: info.role, is_raw: false, ..unknown }
     }
 
     /// Any command, whose time begins now. `name` is its name in the reply and in the spec.
     pub(crate) fn named(clock: &Clock, command: &'o str, name: Cow<'static, str>, timeout: Duration) -> Self {
-        Self { info: CommandInfo::of(&name), ..Self::unknown(clock, command, name, timeout) }
+        let info = CommandInfo::of(&name);
+        Self { info, role: info.and_then(|info| info.role), ..Self::unknown(clock, command, name, timeout) }
     }
 
     fn unknown(clock: &Clock, command: &'o str, name: Cow<'static, str>, timeout: Duration) -> Self {
@@ -129,7 +120,9 @@ impl<'o> Outgoing<'o> {
             name,
             since: clock.stopwatch(),
             timeout,
-            right: Right::Usual,
+            role: None,
+            is_raw: true,
+            stop: None,
             is_posted: false,
             by: Handle::FIRST,
             info: None,
@@ -157,9 +150,19 @@ impl<'o> Outgoing<'o> {
         Self { by, ..self }
     }
 
-    /// Sets the priority of the command.
-    pub(crate) fn by(self, right: Right) -> Self {
-        Self { right, ..self }
+    /// Sets the role of the request, which may differ from that of its command.
+    pub(crate) fn in_role(self, role: Option<Role>) -> Self {
+        Self { role, ..self }
+    }
+
+    /// Sets the stop that the command sends. Its time begins now.
+    pub(crate) fn of_stop(self, stop: &UnderWay) -> Self {
+        Self { stop: Some(stop.number()), since: stop.clock().stopwatch(), ..self }
+    }
+
+    /// True for a stop, which is sent before all other commands that wait.
+    pub(super) fn is_stop(&self) -> bool {
+        self.role == Some(Role::Stop)
     }
 
     /// True if the command changes nothing. An unknown command may change anything.

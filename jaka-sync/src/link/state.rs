@@ -9,8 +9,8 @@ use jaka_proto::exchange::Exchange;
 
 use super::Link;
 use super::halves::{Inbound, Outbound};
-use super::outgoing::{Handle, Outgoing, Reservation, Right};
-use crate::{Disconnect, Error, ErrorKind};
+use super::outgoing::{Handle, Outgoing};
+use crate::Disconnect;
 
 #[derive(Debug)]
 pub(super) struct LinkState {
@@ -27,11 +27,7 @@ pub(super) struct LinkState {
     pub(super) broken: Option<Arc<Disconnect>>,
     /// Number of sent commands that change the frames or the tool to which poses refer.
     pub(super) frame_changes: u64,
-    /// Number of sent stops.
-    pub(super) stops: u64,
-    /// Reservations by their numbers, and the handles that have the connection for themselves.
-    pub(super) reservations: Vec<(u64, Handle, Reservation)>,
-    /// The last number of a handle or a reservation.
+    /// The last number of a handle.
     pub(super) last_number: u64,
     /// Number of commands that may have changed something, of all handles and of each.
     pub(super) changes: u64,
@@ -55,8 +51,6 @@ impl LinkState {
             mode: Mode::Blocking,
             broken: None,
             frame_changes: 0,
-            stops: 0,
-            reservations: Vec::new(),
             last_number: 0,
             changes: 0,
             changes_of: BTreeMap::new(),
@@ -68,19 +62,6 @@ impl LinkState {
         self.last_number
     }
 
-    /// Fails if the reservation of another handle keeps this command back.
-    pub(super) fn check_reserved(&self, outgoing: &Outgoing<'_>) -> Result<(), Error> {
-        let keeps_back = |by: Handle, reservation: &Reservation| {
-            outgoing.right != Right::Stop && outgoing.by != by && !(reservation.lets_pass)(outgoing.info)
-        };
-        match self.reservations.iter().find(|(_, by, reservation)| keeps_back(*by, reservation)) {
-            Some((_, _, Reservation { because, .. })) => {
-                Err(ErrorKind::KeptBack { command: outgoing.command.to_owned(), because }.into())
-            }
-            None => Ok(()),
-        }
-    }
-
     /// Counts an entered command, unless it is a query.
     pub(super) fn count_change(&mut self, outgoing: &Outgoing<'_>) {
         if !outgoing.is_query() {
@@ -90,30 +71,7 @@ impl LinkState {
     }
 }
 
-/// A reservation, until it is dropped.
-#[derive(Debug)]
-#[must_use = "a reservation ends when it is dropped"]
-pub struct Reserved {
-    link: Arc<Link>,
-    number: u64,
-}
-
-impl Drop for Reserved {
-    fn drop(&mut self) {
-        self.link.state.lock().reservations.retain(|(number, ..)| *number != self.number);
-    }
-}
-
 impl Link {
-    /// Keeps back the commands of other handles than this one, unless the reservation lets them pass. Stops of stop
-    /// handles always pass.
-    pub fn reserve(self: &Arc<Self>, by: Handle, reservation: Reservation) -> Reserved {
-        let mut state = self.state.lock();
-        let number = state.next_number();
-        state.reservations.push((number, by, reservation));
-        Reserved { link: Arc::clone(self), number }
-    }
-
     /// Creates another handle of the connection.
     pub(crate) fn new_handle(&self) -> Handle {
         Handle(self.state.lock().next_number())

@@ -53,8 +53,8 @@ static X: CommandInfo = CommandInfo::usual("x", "", "", Effect::Motion);
 fn post(link: &Link, timeout: Duration, count: usize) -> Result<usize, Error> {
     let (mut sent, mut outstanding) = (0, 0);
     while sent < count {
-        let posting =
-            link.post((&X, Handle::FIRST), timeout, None, count - sent, &mut |index, out| write(sent + index, out))?;
+        let posting = link
+            .post((&X, None, Handle::FIRST), timeout, None, count - sent, &mut |index, out| write(sent + index, out))?;
         (sent, outstanding) = (sent + posting.sent, posting.outstanding);
     }
     Ok(outstanding)

@@ -9,7 +9,7 @@ use crate::role::{Change, Motion, MotionMode, PathKind, Role};
 /// Effect of the commands that can have a role.
 fn effect_of(role: Role) -> Effect {
     match role {
-        Role::Stop | Role::Pause | Role::Resume | Role::SetPoint | Role::ServoMode => Effect::Motion,
+        Role::Stop | Role::StopAxis | Role::Pause | Role::Resume | Role::SetPoint | Role::ServoMode => Effect::Motion,
         Role::Output => Effect::Setting,
         Role::State => Effect::Query,
     }

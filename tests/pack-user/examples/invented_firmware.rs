@@ -35,7 +35,7 @@ fn robot<S: MotionStatus>(commands: u16, status: u16) -> Result<Robot<S>, Box<dy
     let [commands, status] = [commands, status].map(|port| format!("127.0.0.1:{port}"));
     let config = Config::new();
     let monitor = Monitor::connect_with(&config, status)?;
-    Ok(Robot::with_monitor(Client::connect_with(&config, commands)?, monitor))
+    Ok(Robot::with_monitor(Client::connect_with(&config, commands)?, monitor)?)
 }
 
 fn glides(robot: &mut Robot<invented::RobotStatus>) -> Result<(), Box<dyn Error>> {

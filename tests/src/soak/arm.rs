@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use jaka_proto::wire::Writer;
-use jaka_robot::{Command, Error};
+use jaka_robot::Error;
 use serde_json::{Value, json};
 
 use super::account::{Connection, Fate};
@@ -171,11 +170,4 @@ impl Arm {
     pub(super) fn find(&self, finding: &str) {
         self.place.findings.add(format!("arm {}: {finding}", self.place.arm));
     }
-}
-
-/// The text of a command as it goes over the wire.
-pub(super) fn text<C: Command>(command: &C) -> String {
-    let mut out = Writer::new();
-    command.write_request(&mut out);
-    out.as_str().to_owned()
 }

@@ -16,10 +16,11 @@ use jaka_robot::{Cause, Command, End, Error, Evidence};
 use serde_json::{Value, json};
 
 use super::account::Fate;
-use super::arm::{Arm, text};
+use super::arm::Arm;
 use super::faults;
 use super::servo::{LEAVE, servo_session};
 use super::session::Session;
+use crate::text;
 
 /// The first command of each connection.
 pub(super) const FIRST: &str = GetRobotState::INFO.name;

@@ -12,9 +12,10 @@ use jaka_robot::{Command, Error, ErrorKind, Explanation, Report, ServoConfig, Se
 use serde_json::json;
 
 use super::account::{Connection, Fate};
-use super::arm::{Arm, text};
+use super::arm::Arm;
 use super::calls::{is_ready, raw};
 use super::session::Session;
+use crate::text;
 
 /// Minimum and maximum number of set-points of a session.
 const SET_POINTS: (u32, u32) = (10, 50);

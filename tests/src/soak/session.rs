@@ -56,7 +56,7 @@ impl Session {
         let client = Client::connect_with(&config, place.ports.commands)?;
         // So short that a motion that is stopped is soon known to be.
         let waits = RobotConfig::new().start_grace(Duration::from_millis(60), 3);
-        let mut robot = Robot::new(client, monitor);
+        let mut robot = Robot::new(client, monitor).expect("it is the only robot");
         robot.configure(&waits.status_silence(Duration::from_millis(400)))?;
         let time = &place.ports.time;
         // One that ends the robot's waits, and one of which the robot does not know.

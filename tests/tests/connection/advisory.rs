@@ -278,7 +278,7 @@ fn the_model_refuses_the_same_in_the_same_words() {
 #[test]
 fn a_servo_session_refuses_it_and_ends() {
     let (controller, client) = ready(AdvisoryRanges::Enforced);
-    let mut robot = Robot::new(client, controller.monitor());
+    let mut robot = Robot::new(client, controller.monitor()).expect("it is the only robot");
     let config = SessionConfig::new().unchecked();
     let refused = |sent: Result<(), jaka_robot::Error>, field: &str| {
         let error = sent.expect_err(field);

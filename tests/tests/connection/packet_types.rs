@@ -38,7 +38,7 @@ impl MotionStatus for Odd {
 
 fn ready() -> (Arm, Robot<Odd>) {
     let arm = Arm::simulated().status_period(Duration::from_millis(10)).start();
-    let robot = Robot::with_monitor(arm.client(), arm.monitor::<Odd>());
+    let robot = Robot::with_monitor(arm.client(), arm.monitor::<Odd>()).expect("it is the only robot");
     (arm, robot)
 }
 

@@ -156,7 +156,8 @@ fn a_pack_stands_on_others() {
 #[test]
 fn a_robot_tells_by_a_pack_s_status_how_a_motion_goes() {
     let arm = arm();
-    let mut robot = Robot::with_monitor(arm.client(), arm.monitor::<changed::RobotStatus>());
+    let mut robot =
+        Robot::with_monitor(arm.client(), arm.monitor::<changed::RobotStatus>()).expect("it is the only robot");
     robot.power_up(LONG).expect("it has power at once");
     let request = changed::JointMove::absolute([5.0, 90.0, 90.0, 90.0, -90.0, 0.0], 90.0);
     robot.run(&request, LONG).expect("it is accepted").reached().expect("the arm reaches its target");

@@ -32,6 +32,7 @@ pub(crate) fn robot(cell: &Cell<'_>) -> Robot {
     };
     let silence = if cell.expected.first == Outcome::StatusLost { STALE } else { LIMIT };
     Robot::new(cell.client(), monitor)
+        .expect("it is the only robot")
         .configured(&RobotConfig::new().start_grace(grace, 4).status_silence(silence))
         .expect("it has no limits")
 }

@@ -45,8 +45,8 @@ fn a_slow_question_of_a_guard_keeps_no_gate_from_a_stop_that_was_read() {
     let status_period = Duration::from_millis(20);
     let (guarded, other) = (Arm::real_time().status_period(status_period).start(), Arm::real_time().start());
     let monitor: Arc<Monitor> = Arc::new(guarded.monitor());
-    let mut first = Robot::new(guarded.client(), Arc::clone(&monitor));
-    let mut second = Robot::new(other.client(), Arc::clone(&monitor));
+    let mut first = Robot::new(guarded.client(), Arc::clone(&monitor)).expect("it is the only robot");
+    let mut second = Robot::new(other.client(), Arc::clone(&monitor)).expect("it is the only robot");
     let ((seen, saw), (go_on, may_go_on)) = (mpsc::channel(), mpsc::channel::<()>());
     let (seen, may_go_on) = (Mutex::new(seen), Mutex::new(may_go_on));
     let guard = Guard::when("slow", move |status| {
@@ -107,7 +107,7 @@ fn a_packet_that_cannot_be_read_counts_also_while_a_robot_is_made() {
     let (go_on, may_go_on) = mpsc::channel();
     *HELD.lock().unwrap_or_else(PoisonError::into_inner) = Some(may_go_on);
     let (client, shared) = (arm.client(), Arc::clone(&monitor));
-    let make = move || Robot::with_monitor(client, shared);
+    let make = move || Robot::with_monitor(client, shared).expect("it is the only robot");
     let maker = thread::Builder::new().name(MAKER.to_owned()).spawn(make).expect("there are threads");
     until(|| IS_HELD.load(Ordering::SeqCst));
     let before = monitor.statistics().unfit;

@@ -405,7 +405,7 @@ impl MotionStatus for Odd {
 fn a_type_of_packets_that_panics_leaves_no_motion_without_its_guard() {
     let arm = simulated().start();
     let (monitor, client) = (arm.monitor::<Odd>(), arm.client());
-    let mut robot = Robot::<Odd>::with_monitor(client, monitor);
+    let mut robot = Robot::<Odd>::with_monitor(client, monitor).expect("it is the only robot");
     let end = robot.run(&motion().guard(Guard::when("never", |_| false)), LONG).expect("the motion is accepted");
     assert!(matches!(end.evidence(), Evidence::Status { unreadable: Some(_), .. }), "{end:?}");
     assert!(matches!(end.stop, Some(Ok(()))), "{end:?}");

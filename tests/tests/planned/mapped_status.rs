@@ -19,7 +19,7 @@ fn to(angle: f64) -> JointMove {
 }
 
 fn robot<S: MotionStatus>(arm: &Arm) -> Robot<S> {
-    Robot::with_monitor(arm.client(), arm.monitor::<S>())
+    Robot::with_monitor(arm.client(), arm.monitor::<S>()).expect("it is the only robot")
 }
 
 /// An arm whose packets have the key that the pack `mapped` takes for the protective stop.

@@ -161,7 +161,7 @@ fn robot_after_a_slow_observer() -> (Arm, Robot, Receiver<()>, Sender<()>) {
         }
         ControlFlow::Continue(())
     });
-    let robot = Robot::new(arm.client(), monitor);
+    let robot = Robot::new(arm.client(), monitor).expect("it is the only robot");
     (arm, robot, saw, go_on)
 }
 
@@ -271,6 +271,7 @@ fn a_relative_motion_after_a_stop_is_not_measured_from_a_moving_arm() {
     };
     let stopped = beside(clock, stop, || robot.run(&slow, LONG).expect("accepted"));
     assert!(stopped.cause() == Cause::Stopped, "{:?}", stopped.cause());
+    robot.acknowledge();
     let by = JointMove::relative([10.0, 0.0, 0.0, 0.0, 0.0, 0.0], 20.0).acceleration(100.0);
     let end = robot.run(&by, LONG).expect("accepted");
     assert!(end.cause() != Cause::Stopped, "nobody stopped it");

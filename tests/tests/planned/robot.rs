@@ -14,7 +14,7 @@ use jaka_robot::{
 };
 use jaka_sim::{Delays, Fault, Firmware, SimulatedClock, StatusFault};
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, CYCLE, Configured as _, HandFed, LONG};
+use jaka_tests::{Arm, CYCLE, Configured as _, HandFed, LONG, text};
 
 /// Time of the event after the start of the long motion, which is at its full speed then.
 const MIDDLE: Duration = Duration::from_millis(200);
@@ -101,7 +101,7 @@ fn a_stop_ends_the_wait_immediately() {
     let end = disturbed(&arm, &mut robot, || stop.stop().expect("the controller takes the stop"));
     assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
     assert_eq!(end.report.waited, MIDDLE);
-    assert!(robot.unacknowledged().is_none(), "a stop that was asked for needs no acknowledgement");
+    assert!(robot.unacknowledged().is_some_and(|stop| stop.cause == Cause::Stopped), "a report is no acknowledgement");
 }
 
 #[test]
@@ -367,7 +367,8 @@ fn refusals_are_explained() {
     let mut why = |change: fn(&mut jaka_sim::State)| {
         arm.set_state(change);
         show(&arm);
-        let error = robot.client().joint_move(&to(0.0)).expect_err("the controller refuses");
+        // A typed one would be kept back.
+        let error = robot.client().call_text(&text(&to(0.0)), LONG).map(drop).expect_err("the controller refuses");
         robot.explain(&error)
     };
     assert_eq!(why(|state| state.protective_stop = true), Some(Explanation::ProtectiveStop));

@@ -181,7 +181,7 @@ fn cell(event: Event, way: Way, after: Duration, lag: Duration) -> (Reaction, Du
     let arm = Arm::simulated().at(START).status_period(Duration::from_millis(20)).start();
     let wire = CommandWire::watch(arm.clock(), arm.command_addr());
     let client = Client::connect_with(&arm.config(), wire.address()).expect("the proxy listens");
-    let robot = Robot::new(client, arm.monitor());
+    let robot = Robot::new(client, arm.monitor()).expect("it is the only robot");
     let mut robot = robot.configured(&RobotConfig::new().limits(follow::limits())).expect("it is this arm");
     if event == Event::RefusedSetPoint {
         arm.link(Port::Command).to_client().delay(lag);

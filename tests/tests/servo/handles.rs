@@ -172,7 +172,7 @@ fn a_second_session_that_is_refused_frees_nothing_that_a_forgotten_stream_keeps_
 fn a_robot_of_another_handle_leads_the_arm_as_the_first_one_does() {
     let (arm, mut first) = Arm::simulated().with_client();
     let other = first.try_clone().expect("the connection is there");
-    let robot = Robot::new(other, arm.monitor::<RobotStatus>());
+    let robot = Robot::new(other, arm.monitor::<RobotStatus>()).expect("it is the only robot");
     let mut robot = robot.configured(&RobotConfig::new().limits(stream::limits())).expect("it is this arm");
     let stream = robot.stream(&StreamConfig::new()).expect("the arm rests");
     assert_outputs_alone_pass(&arm, &mut first);

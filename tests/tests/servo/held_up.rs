@@ -67,6 +67,7 @@ impl Log for SlowLogger {
 fn ready(limits: Limits) -> (Arm, Robot) {
     let arm = stream::arm().start();
     let robot = Robot::new(arm.client(), arm.monitor::<RobotStatus>())
+        .expect("it is the only robot")
         .configured(&RobotConfig::new().limits(limits))
         .expect("it is this arm");
     (arm, robot)
@@ -187,7 +188,7 @@ fn run_held_up(place: Place, time: Duration) -> (Vec<[f64; 6]>, End, SetPointsSe
     let arm = stream::arm().start();
     let proxy = SetPoints::watch(arm.clock(), arm.command_addr(), |_, _| true);
     let client = Client::connect_with(&arm.config(), proxy.address()).expect("it listens");
-    let mut robot = Robot::new(client, arm.monitor::<RobotStatus>());
+    let mut robot = Robot::new(client, arm.monitor::<RobotStatus>()).expect("it is the only robot");
     robot = robot.configured(&RobotConfig::new().limits(follow::limits())).expect("it is this arm");
     let trajectory =
         follow::trajectory(&to_and_fro(), &Checker::new(follow::limits(), Frames::new())).expect("within the limits");

@@ -19,7 +19,7 @@ fn ready() -> (SimulatedClock, PlainController, Robot) {
     let monitor: Monitor = Monitor::connect_with(&config, controller.status).expect("it listens");
     let client = Client::connect_with(&config, controller.commands).expect("it listens");
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
-    (clock, controller, Robot::new(client, monitor))
+    (clock, controller, Robot::new(client, monitor).expect("it is the only robot"))
 }
 
 fn joint(session: &mut ServoSession<'_>, offset_deg: f64) -> Result<(), Error> {

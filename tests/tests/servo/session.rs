@@ -158,17 +158,17 @@ fn a_refusal_is_reported_soon_and_servo_mode_is_left() {
 #[test]
 fn answers_that_another_call_reads_count_too() {
     let (arm, mut robot) = ready();
-    let stop = robot.client().stop_handle();
+    let mut other = robot.client().try_clone().expect("the connection is there");
     let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     session.send_joint_offset(STEP).expect("servo mode is on");
-    stop.stop().expect("its reply comes after that of the set-point");
+    other.get_robot_state().expect("its reply comes after that of the set-point");
     let report = session.land().expect("the set-point was accepted").report;
     assert_eq!((report.cycles, report.accepted, report.unanswered), (1, 1 + report.landing_cycles, 0));
 
     let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     arm.set_state(|state| state.servo_mode = false);
     session.send_joint_offset(STEP).expect("its answer has not come");
-    stop.stop().expect("its reply comes after that of the set-point");
+    other.get_robot_state().expect("its reply comes after that of the set-point");
     let error = session.land().expect_err("the set-point was refused");
     assert_eq!(error.refusal().map(|refusal| refusal.code), Some(ErrorCode(-1)));
 }
@@ -206,11 +206,11 @@ fn answers_that_never_come_are_counted_and_hold_nothing_up() {
 #[test]
 fn an_answer_that_a_later_reply_overtakes_counts_as_missing() {
     let (arm, mut robot) = ready();
-    let stop = robot.client().stop_handle();
+    let mut other = robot.client().try_clone().expect("the connection is there");
     let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
     arm.inject_for("servo_j", Fault::Drop);
     session.send_joint_offset(STEP).expect("servo mode is on");
-    stop.stop().expect("its reply comes, and that to the set-point does not");
+    other.get_robot_state().expect("its reply comes, and that to the set-point does not");
     let report = session.land().expect("nothing was refused").report;
     assert_eq!((report.cycles, report.accepted, report.unanswered), (1, report.landing_cycles, 1));
 }

@@ -24,7 +24,7 @@ fn arm(status_period: Duration) -> ArmBuilder {
 /// A robot that is connected through a witness of its set-points.
 fn watched(arm: &Arm, wire: &SetPoints) -> Robot {
     let client = Client::connect_with(&arm.config(), wire.address()).expect("the proxy listens");
-    Robot::new(client, arm.monitor())
+    Robot::new(client, arm.monitor()).expect("it is the only robot")
 }
 
 fn to(angle: f64, speed: f64) -> JointMove {

@@ -12,7 +12,7 @@ use jaka_robot::{
 };
 use jaka_sim::{Delays, Fault, Port, StatusFault};
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, ArmBuilder, CYCLE, Configured as _, LONG};
+use jaka_tests::{Arm, ArmBuilder, CYCLE, Configured as _, LONG, text};
 
 fn arm() -> ArmBuilder {
     Arm::simulated().status_period(Duration::from_millis(30))
@@ -91,6 +91,7 @@ fn a_cartesian_or_relative_motion_that_is_stopped_by_others_is_not_reached() {
     let end = end.expect("it is reachable");
     assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
     assert!(arm.state().tcp_pose.z < start + 90.0);
+    robot.acknowledge();
     let offset = {
         let mut changed = to(0.0, 40.0);
         changed.mode = MoveMode::Relative;
@@ -430,7 +431,7 @@ fn servo_mode_is_not_asked_for_while_the_arm_moves() {
         |_| packets.next_packet_within(LONG).expect("packets come").status.in_position == Some(false);
     assert!((0..1000).any(packet_of_motion), "the arm moves");
     drop(robot);
-    let mut robot = Robot::new(arm.client(), monitor);
+    let mut robot = Robot::new(arm.client(), monitor).expect("it is the only robot");
     drop(robot.enter_servo_mode(ServoConfig::new()).expect("the arm has come to rest"));
     assert!((joint_1(&arm) - 30.0).abs() < 0.01);
 }
@@ -493,7 +494,8 @@ fn packets_that_are_stale_explain_no_refusal() {
     arm.link(Port::Status).to_client().hold();
     arm.clock().sleep(Duration::from_secs(1));
     arm.set_state(|state| (state.protective_stop, state.enabled) = (false, false));
-    let error = robot.client().joint_move(&to(5.0, 60.0)).expect_err("the arm is not enabled");
+    // Typed motions are kept back: the stop was not acknowledged.
+    let error = robot.client().call_text(&text(&to(5.0, 60.0)), LONG).map(drop).expect_err("the arm is not enabled");
     assert_eq!(robot.explain(&error), Some(jaka_robot::Explanation::NotEnabled));
 }
 

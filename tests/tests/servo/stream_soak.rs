@@ -174,6 +174,7 @@ fn robot(controller: &PlainController, config: &Config, rig: &Rig) -> Robot {
     monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
     let client = Client::connect_with(config, controller.commands).expect("it listens");
     Robot::new(client, monitor)
+        .expect("it is the only robot")
         .configured(&RobotConfig::new().limits(rig.limits.clone()))
         .expect("the controller computes as the model does")
 }

@@ -75,7 +75,7 @@ fn stops(protocol: &Protocol, request: &Request<'_>) -> bool {
     let Some(command) = request.command else { return false };
     match role(request) {
         Some(Role::Stop) => is_built_in(command) || protocol.is_confirmed,
-        Some(Role::Pause) => is_built_in(command),
+        Some(Role::StopAxis | Role::Pause) => is_built_in(command),
         Some(Role::Resume | Role::SetPoint | Role::ServoMode | Role::Output | Role::State) | None => false,
     }
 }

@@ -74,7 +74,7 @@ fn a_panic_while_a_request_is_written_sends_nothing_and_leaves_the_turn_to_the_o
         0 => out.raw("{\"cmdName\":\"x\"}"),
         _ => panic!("as the test wants"),
     };
-    assert!(panics(|| link.post((&X, Handle::FIRST), LONG, OPEN, 3, second_panics)));
+    assert!(panics(|| link.post((&X, None, Handle::FIRST), LONG, OPEN, 3, second_panics)));
     let gate: Gate<'_, Error> = Some(&|| panic!("as the test wants"));
     assert!(panics(|| link.send_through(
         &Outgoing::named(&link.clock, "a", Cow::Borrowed("a"), LONG),

@@ -40,8 +40,11 @@ fn a_stop_of_any_handle_is_known_to_a_queue() {
     let stop = robot.client().stop_handle();
     robot.start(&turn(3, 60.0)).expect("to 140 deg");
     stop.stop().expect("the controller takes it");
+    let error = robot.start(&turn(3, -300.0)).expect_err("nobody has acknowledged the stop");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
+    robot.acknowledge();
     let error = robot.start(&turn(3, -300.0)).expect_err("from 140 deg, where the arm is not");
-    assert!(matches!(error.kind(), ErrorKind::NotChecked { reason: Unchecked::Start, .. }), "{error:?}");
+    assert!(matches!(error.kind(), ErrorKind::BeyondLimit { .. }), "{error:?}");
     assert_eq!(motions(&arm).len(), 1);
 }
 

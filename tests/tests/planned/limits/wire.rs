@@ -66,8 +66,10 @@ impl Cell {
         let client = Client::connect_with(&config, controller.commands).expect("it listens");
         monitor.wait_until(|status| status.enabled == Some(true), LONG).expect("packets come");
         let options = RobotConfig::new().start_grace(Duration::from_millis(1), 1).limits(rig.limits.clone());
-        let robot =
-            Robot::new(client, monitor).configured(&options).expect("the controller computes as the model does");
+        let robot = Robot::new(client, monitor)
+            .expect("it is the only robot")
+            .configured(&options)
+            .expect("the controller computes as the model does");
         Some(Self { seed, random, rig, controller, robot, at, tally: Tally::default() })
     }
 

@@ -222,7 +222,7 @@ impl MotionStatus for Odd {
 fn a_packet_that_nobody_could_judge_keeps_motions_back() {
     let arm = arm().start();
     let monitor = arm.monitor::<Odd>();
-    let mut robot = Robot::<Odd>::with_monitor(arm.client(), monitor);
+    let mut robot = Robot::<Odd>::with_monitor(arm.client(), monitor).expect("it is the only robot");
     let panics = || {
         PANICS.store(true, Ordering::SeqCst);
         arm.clock().sleep(3 * PERIOD);
