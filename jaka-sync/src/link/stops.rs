@@ -361,9 +361,10 @@ impl Stops {
             _ => None,
         };
         drop(state);
-        let because = because.or_else(|| robot.is_some_and(|robot| robot.is_latched()).then_some(STOPPED));
+        let is_latched = robot.is_some_and(|robot| robot.is_latched());
         match because {
-            Some(because) => Err(ErrorKind::KeptBack { command: outgoing.command.to_owned(), because }.into()),
+            None | Some(NOT_AT_REST) if is_latched => Err(kept_back(outgoing, STOPPED)),
+            Some(because) => Err(kept_back(outgoing, because)),
             None => Ok(()),
         }
     }
@@ -406,6 +407,10 @@ impl Stops {
         let latest = self.state.lock().goes_out_at?;
         Some(self.clock().left(latest))
     }
+}
+
+fn kept_back(outgoing: &Outgoing<'_>, because: &'static str) -> Error {
+    ErrorKind::KeptBack { command: outgoing.command.to_owned(), because }.into()
 }
 
 impl UnderWay {

@@ -5,6 +5,7 @@ mod causes;
 mod follow;
 mod generator;
 mod handles;
+mod held_stops;
 mod held_up;
 mod landing;
 mod landing_links;
