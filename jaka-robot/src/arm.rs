@@ -19,7 +19,7 @@ use jaka_clock::Clock;
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ErrorCode, Refusal};
-use jaka_sync::layer::{ClientParts as _, Link, Reservation, Reserved, told};
+use jaka_sync::layer::{ClientParts as _, Link, Owner, Reservation, Reserved, told};
 
 pub(crate) use self::guards::{GuardProgress, PacketObserver};
 pub(crate) use self::position::{Answer, Position, QUERY_PERIOD, SETTLING};
@@ -160,8 +160,8 @@ impl Arm {
     }
 
     /// Keeps back commands of other handles of the connection, except those of the list.
-    pub(crate) fn reserve(&self, reservation: Reservation) -> Reserved {
-        self.link().reserve(self.client.handle(), reservation)
+    pub(crate) fn reserve(&self, owner: Owner, reservation: Reservation) -> Reserved {
+        self.link().reserve(self.client.handle(), owner, reservation)
     }
 
     /// Sends a command; its reply is polled for, as in [`Link::ask`].

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::check::{InvalidArgument, Rules};
-use jaka_proto::exchange::{ReadReply, TextOnly, TypedReply};
+use jaka_proto::exchange::{Owner, ReadReply, TextOnly, TypedReply};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Writer};
@@ -71,7 +71,8 @@ impl Client {
     /// closes the connection for all handles, whose calls then fail. Dropping another handle closes nothing.
     ///
     /// While a servo session, a stream or a trajectory of jaka-robot moves the arm, other handles can send only
-    /// outputs, short queries and `stop_program` (4.23). Every other command fails with [`ErrorKind::KeptBack`].
+    /// outputs, short queries and `stop_program` (4.23). Every other command fails with [`ErrorKind::KeptBack`]. Of
+    /// outputs and queries, at most 8 are outstanding then, and the next one waits within its deadline.
     ///
     /// ```no_run
     /// use jaka_sync::Client;
@@ -204,12 +205,18 @@ impl Client {
         Rules { ranges: self.config.advisory_ranges, firmware: self.link.firmware() }
     }
 
-    /// Sends commands without waiting for their replies, which are counted, and returns the number of outstanding ones.
-    pub(crate) fn post<C: Command, R>(&self, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>> {
+    /// Sends commands without waiting for their replies, which are counted for their owner, and returns the number of
+    /// its outstanding ones.
+    pub(crate) fn post<C: Command, R>(
+        &self,
+        owner: Owner,
+        gate: Gate<'_, R>,
+        commands: &[C],
+    ) -> Result<usize, SendError<R>> {
         self.check(commands)?;
         let (mut rest, mut outstanding) = (commands, 0);
         while !rest.is_empty() {
-            let posting = self.post_some(gate, rest)?;
+            let posting = self.post_some(owner, gate, rest)?;
             (rest, outstanding) = (&rest[posting.sent..], posting.outstanding);
         }
         Ok(outstanding)
@@ -218,11 +225,13 @@ impl Client {
     /// Sends the first of the checked commands in one write: at least one of them.
     pub(crate) fn post_some<C: Command, R>(
         &self,
+        owner: Owner,
         gate: Gate<'_, R>,
         commands: &[C],
     ) -> Result<Dispatched, SendError<R>> {
-        let write = &mut |index: usize, out: &mut _| commands[index].write_request(out);
-        self.link.post((C::INFO, self.handle), self.config.reply_timeout, gate, commands.len(), write)
+        let outgoing = Outgoing::of(&self.link.clock, C::INFO, self.config.reply_timeout).of_handle(self.handle);
+        let outgoing = outgoing.posted_for(owner).in_forms_of(self.link.firmware());
+        self.link.transmit(&outgoing, gate, commands.len(), &mut |index, out| commands[index].write_request(out))
     }
 
     /// Checks commands against the spec and the firmware.

@@ -227,20 +227,6 @@ impl Link {
         Ok(Sent { request, command: outgoing.command, since: outgoing.since.began, timeout: outgoing.timeout })
     }
 
-    /// Sends at least one of this many commands of one name, in one write. Returns the number of sent commands and of
-    /// outstanding posted ones. `write` writes the request with an index.
-    pub(crate) fn post<R>(
-        &self,
-        (info, by): (&'static CommandInfo, Handle),
-        timeout: Duration,
-        gate: Gate<'_, R>,
-        count: usize,
-        write: &mut dyn FnMut(usize, &mut Writer),
-    ) -> Result<Dispatched, SendError<R>> {
-        let outgoing = Outgoing::of(&self.clock, info, timeout).of_handle(by).in_forms_of(self.firmware());
-        self.transmit(&Outgoing { is_posted: true, ..outgoing }, gate, count, write)
-    }
-
     /// Makes the socket blocking or nonblocking. It must block while a thread reads it.
     fn switch(state: &mut LinkState, mode: Mode) -> io::Result<()> {
         if let Some(stream) = state.stream.as_ref().filter(|_| state.mode != mode) {

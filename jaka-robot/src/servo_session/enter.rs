@@ -51,7 +51,8 @@ impl<'r> ServoSession<'r> {
         rates.check_themselves()?;
         let priority = config.take_priority()?;
         rest(arm, has_motions, config.enter_timeout)?;
-        let reserved = Some(arm.reserve(MEANWHILE));
+        let owner = arm.link().new_owner();
+        let reserved = Some(arm.reserve(owner, MEANWHILE));
         let (frame_changes, under_way) = (arm.link().frame_changes(), arm.under_way());
         if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
             return Err(arm.not_ready(Explanation::ServoModeOn));
@@ -70,6 +71,7 @@ impl<'r> ServoSession<'r> {
             under_way,
             arm,
             limits,
+            owner,
             reserved,
             config: config.clone(),
             rates,

@@ -6,8 +6,9 @@ use std::time::Duration;
 
 use jaka_clock::{Clock, Stopwatch};
 use jaka_proto::check::{NotSent, Rules};
+use jaka_proto::exchange::Owner;
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion};
+use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion, Role};
 
 use super::not_sent_in_time;
 use crate::{Error, ErrorKind};
@@ -27,6 +28,11 @@ pub struct Handle(pub(super) u64);
 impl Handle {
     /// Handle of the first client.
     pub(crate) const FIRST: Self = Self(0);
+
+    /// Owner of the requests whose replies the handle waits for. Handles and other owners share one number space.
+    pub(super) fn owner(self) -> Owner {
+        Owner(self.0)
+    }
 }
 
 /// Reservation of a connection by one handle: decides which commands of other handles may be sent.
@@ -106,6 +112,8 @@ pub(crate) struct Outgoing<'o> {
     /// Whether the outcomes are counted, and no thread waits for one in particular.
     pub(super) is_posted: bool,
     pub(super) by: Handle,
+    /// Owner of the outcomes.
+    pub(super) owner: Owner,
     /// Facts of the command; `None` for one that neither the spec nor its caller knows.
     pub(super) info: Option<&'static CommandInfo>,
     /// Firmware in whose forms it is written, and its reply is read.
@@ -132,6 +140,7 @@ impl<'o> Outgoing<'o> {
             right: Right::Usual,
             is_posted: false,
             by: Handle::FIRST,
+            owner: Handle::FIRST.owner(),
             info: None,
             firmware: None,
         }
@@ -154,12 +163,22 @@ impl<'o> Outgoing<'o> {
 
     /// Sets the handle that sends the command.
     pub(crate) fn of_handle(self, by: Handle) -> Self {
-        Self { by, ..self }
+        Self { by, owner: by.owner(), ..self }
+    }
+
+    /// Makes the outcomes counted ones of this owner.
+    pub(crate) fn posted_for(self, owner: Owner) -> Self {
+        Self { owner, is_posted: true, ..self }
     }
 
     /// Sets the priority of the command.
     pub(crate) fn by(self, right: Right) -> Self {
         Self { right, ..self }
+    }
+
+    /// True for a stop of any handle.
+    pub(super) fn is_stop(&self) -> bool {
+        self.right == Right::Stop || self.info.is_some_and(|info| info.role == Some(Role::Stop))
     }
 
     /// True if the command changes nothing. An unknown command may change anything.

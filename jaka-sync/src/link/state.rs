@@ -5,12 +5,16 @@ use std::sync::Arc;
 
 use jaka_clock::Socket;
 use jaka_proto::Request;
-use jaka_proto::exchange::Exchange;
+use jaka_proto::exchange::{Exchange, Owner};
 
 use super::Link;
 use super::halves::{Inbound, Outbound};
 use super::outgoing::{Handle, Outgoing, Reservation, Right};
 use crate::{Disconnect, Error, ErrorKind};
+
+/// Greatest number of outstanding requests beside a reservation, of all that do not have it. What is queued in a
+/// controller delays set-points and stops.
+const MOST_BESIDE: usize = 8;
 
 #[derive(Debug)]
 pub(super) struct LinkState {
@@ -29,9 +33,9 @@ pub(super) struct LinkState {
     pub(super) frame_changes: u64,
     /// Number of sent stops.
     pub(super) stops: u64,
-    /// Reservations by their numbers, and the handles that have the connection for themselves.
-    pub(super) reservations: Vec<(u64, Handle, Reservation)>,
-    /// The last number of a handle or a reservation.
+    /// Reservations by their numbers, and the handles and owners that have the connection for themselves.
+    pub(super) reservations: Vec<(u64, Handle, Owner, Reservation)>,
+    /// The last number of a handle, another owner or a reservation.
     pub(super) last_number: u64,
     /// Number of commands that may have changed something, of all handles and of each.
     pub(super) changes: u64,
@@ -73,12 +77,22 @@ impl LinkState {
         let keeps_back = |by: Handle, reservation: &Reservation| {
             outgoing.right != Right::Stop && outgoing.by != by && !(reservation.lets_pass)(outgoing.info)
         };
-        match self.reservations.iter().find(|(_, by, reservation)| keeps_back(*by, reservation)) {
-            Some((_, _, Reservation { because, .. })) => {
+        match self.reservations.iter().find(|(_, by, _, reservation)| keeps_back(*by, reservation)) {
+            Some((.., Reservation { because, .. })) => {
                 Err(ErrorKind::KeptBack { command: outgoing.command.to_owned(), because }.into())
             }
             None => Ok(()),
         }
+    }
+
+    /// Number of these commands that may be entered now: a stop always, and beside a reservation, of all owners other
+    /// than the reserving ones together, at most [`MOST_BESIDE`].
+    pub(super) fn room(&self, outgoing: &Outgoing<'_>) -> usize {
+        let leads = |owner| self.reservations.iter().any(|(_, by, of, _)| [by.owner(), *of].contains(&owner));
+        if self.reservations.is_empty() || outgoing.is_stop() || leads(outgoing.owner) {
+            return usize::MAX;
+        }
+        MOST_BESIDE.saturating_sub(self.exchange.outstanding_of(|owner| !leads(owner)))
     }
 
     /// Counts an entered command, unless it is a query.
@@ -107,11 +121,19 @@ impl Drop for Reserved {
 impl Link {
     /// Keeps back the commands of other handles than this one, unless the reservation lets them pass. Stops of stop
     /// handles always pass.
-    pub fn reserve(self: &Arc<Self>, by: Handle, reservation: Reservation) -> Reserved {
+    ///
+    /// The requests of all others, that is, neither of the handle nor of this owner, wait until fewer than 8 of them are
+    /// outstanding, since a controller processes them before set-points and stops.
+    pub fn reserve(self: &Arc<Self>, by: Handle, owner: Owner, reservation: Reservation) -> Reserved {
         let mut state = self.state.lock();
         let number = state.next_number();
-        state.reservations.push((number, by, reservation));
+        state.reservations.push((number, by, owner, reservation));
         Reserved { link: Arc::clone(self), number }
+    }
+
+    /// Creates an owner of posted commands. [`forget_posted`](Self::forget_posted) ends its use.
+    pub fn new_owner(&self) -> Owner {
+        Owner(self.state.lock().next_number())
     }
 
     /// Creates another handle of the connection.
