@@ -6,16 +6,16 @@
 //! is [out of sync](OutOfSync), and must be closed.
 //!
 //! A request is *sent* ([`Exchange::send`]): a thread waits for its reply, as a [`Waiter`]. Or it is *posted*
-//! ([`Exchange::post`]): no thread waits for its reply in particular, and the outcome is counted. A reply is read once,
-//! by the thread that reads the socket, as the type that this thread waits for. If it belongs to another thread, it is
-//! pending until that thread asks for it.
+//! ([`Exchange::post`]): no thread waits for its reply in particular, and the outcome is counted for its [`Owner`]. A
+//! reply is read once, by the thread that reads the socket, as the type that this thread waits for. If it belongs to
+//! another thread, it is pending until that thread asks for it.
 //!
 //! ```
-//! use jaka_proto::exchange::{Delivery, Exchange, TextOnly, Waiter};
+//! use jaka_proto::exchange::{Delivery, Exchange, Owner, TextOnly, Waiter};
 //!
-//! let mut exchange = Exchange::default();
-//! let first = exchange.send("get_version".into());
-//! let second = exchange.send("get_robot_state".into());
+//! let (mut exchange, owner) = (Exchange::default(), Owner(1));
+//! let first = exchange.send(owner, "get_version".into());
+//! let second = exchange.send(owner, "get_robot_state".into());
 //!
 //! // The thread that sent the second request reads both replies.
 //! let (mut text, mut reader) = (String::new(), TextOnly);
@@ -37,6 +37,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod owners;
 pub(crate) mod sent;
 mod waiter;
 
@@ -44,6 +45,8 @@ use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
+use self::owners::Owners;
+pub use self::owners::{Owner, PostedOutcomes, PostedRequest};
 pub use self::sent::OutOfSync;
 pub use self::sent::RequestId;
 use self::sent::{Recipient, SentRequest, SentRequests};
@@ -56,7 +59,7 @@ use crate::envelope::Envelope;
 #[derive(Debug, Default)]
 pub struct Exchange {
     sent: SentRequests,
-    posted: Posted,
+    owners: Owners,
     /// The outcomes of requests whose waiters have not asked yet, in the order of the requests: so they are completed.
     pending: VecDeque<(RequestId, Pending)>,
 }
@@ -95,37 +98,6 @@ pub enum Delivery {
     Discarded,
 }
 
-/// A posted request that is outstanding.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct PostedRequest {
-    /// The request.
-    pub id: RequestId,
-    /// Its `cmdName`.
-    pub command: &'static str,
-    /// Time at which it was sent.
-    pub sent_at: Instant,
-}
-
-/// The outcomes of posted requests.
-#[derive(Debug, Default)]
-#[non_exhaustive]
-pub struct PostedOutcomes {
-    /// Number of accepted requests.
-    pub accepted: u64,
-    /// The others, by `cmdName`, in the order in which it was learnt.
-    pub failed: Vec<(&'static str, Failure)>,
-}
-
-/// The posted requests.
-#[derive(Debug, Default)]
-struct Posted {
-    /// In the order of their ids. Requests are completed, lost and given up from the front, and withdrawn from the
-    /// back.
-    outstanding: VecDeque<PostedRequest>,
-    outcomes: PostedOutcomes,
-}
-
 impl Exchange {
     /// No request is outstanding. `bare_reply` names the command that may be answered by a bare Python tuple, which
     /// names none.
@@ -138,26 +110,32 @@ impl Exchange {
         self.sent.outstanding()
     }
 
-    /// Number of outstanding posted requests, without requests that were given up or abandoned.
-    pub fn posted_outstanding(&self) -> usize {
-        self.posted.outstanding.len()
+    /// Number of outstanding requests as [`outstanding`](Self::outstanding), of the owners that a closure selects.
+    pub fn outstanding_of(&self, selects: impl Fn(Owner) -> bool) -> usize {
+        self.owners.outstanding_of(selects)
     }
 
-    /// The oldest of the posted requests that are outstanding.
-    pub fn oldest_posted(&self) -> Option<PostedRequest> {
-        self.posted.outstanding.front().copied()
+    /// Number of outstanding posted requests of an owner, without requests that were given up or abandoned.
+    pub fn posted_outstanding(&self, owner: Owner) -> usize {
+        self.owners.posted(owner).len()
+    }
+
+    /// The oldest outstanding posted request of an owner.
+    pub fn oldest_posted(&self, owner: Owner) -> Option<PostedRequest> {
+        self.owners.posted(owner).next()
     }
 
     /// Enters a request that goes out next. A [`Waiter`] will ask for its reply, or [`give_up`](Self::give_up) or
     /// [`abandon`](Self::abandon) will be called.
-    pub fn send(&mut self, command: Cow<'static, str>) -> RequestId {
-        self.sent.push(command, Recipient::Waiter)
+    pub fn send(&mut self, owner: Owner, command: Cow<'static, str>) -> RequestId {
+        self.owners.count(owner);
+        self.sent.push(owner, command, Recipient::Waiter)
     }
 
-    /// Enters a request that goes out next and whose outcome is counted; `now` is the time.
-    pub fn post(&mut self, command: &'static str, now: Instant) -> RequestId {
-        let id = self.sent.push(command.into(), Recipient::Counted);
-        self.posted.outstanding.push_back(PostedRequest { id, command, sent_at: now });
+    /// Enters a request that goes out next and whose outcome is counted for its owner; `now` is the time.
+    pub fn post(&mut self, owner: Owner, command: &'static str, now: Instant) -> RequestId {
+        let id = self.sent.push(owner, command.into(), Recipient::Counted);
+        self.owners.count(owner).post(PostedRequest { id, command, sent_at: now });
         id
     }
 
@@ -166,8 +144,8 @@ impl Exchange {
     /// # Errors
     /// It is not outstanding any more: a reply has come to what was not sent. Or it is not the newest.
     pub fn withdraw(&mut self, request: RequestId) -> Result<(), OutOfSync> {
-        self.sent.withdraw(request)?;
-        self.posted.withdraw(request);
+        let SentRequest { owner, .. } = self.sent.withdraw(request)?;
+        self.owners.withdraw(owner, request);
         Ok(())
     }
 
@@ -184,14 +162,17 @@ impl Exchange {
         envelope: Option<Envelope<'_>>,
         waiter: &mut Waiter<'_>,
     ) -> Result<Received, OutOfSync> {
-        let Self { sent, posted, pending } = self;
-        let lost = |request: SentRequest| match request.recipient {
-            Recipient::Waiter if waiter.is_for(request.id) => waiter.fail(Failure::Lost),
-            Recipient::Waiter => pending.push_back((request.id, Pending::Lost)),
-            Recipient::Counted => posted.finish(request.id, Err(Failure::Lost)),
-            Recipient::Nobody => {}
+        let Self { sent, owners, pending } = self;
+        let lost = |request: SentRequest| {
+            match request.recipient {
+                Recipient::Waiter if waiter.is_for(request.id) => waiter.fail(Failure::Lost),
+                Recipient::Waiter => pending.push_back((request.id, Pending::Lost)),
+                Recipient::Counted => owners.finish(request.owner, request.id, Err(Failure::Lost)),
+                Recipient::Nobody => {}
+            }
+            owners.count_off(request.owner);
         };
-        let SentRequest { id, command, recipient } = sent.complete_by(envelope.as_ref(), lost)?;
+        let SentRequest { id, owner, command, recipient } = sent.complete_by(envelope.as_ref(), lost)?;
         let delivery = match recipient {
             Recipient::Waiter if waiter.is_for(id) => {
                 waiter.complete(text, envelope);
@@ -202,11 +183,12 @@ impl Exchange {
                 Delivery::Pending
             }
             Recipient::Counted => {
-                posted.finish(id, waiter::accepted(envelope));
+                owners.finish(owner, id, waiter::accepted(envelope));
                 Delivery::Counted
             }
             Recipient::Nobody => Delivery::Discarded,
         };
+        owners.count_off(owner);
         Ok(Received { request: id, command, delivery })
     }
 
@@ -232,14 +214,15 @@ impl Exchange {
         self.sent.give_up(request)
     }
 
-    /// The deadline of the oldest posted request has passed, `after` it was sent. It fails with [`Failure::TimedOut`].
+    /// The deadline of the oldest posted request of an owner has passed, `after` it was sent. It fails with
+    /// [`Failure::TimedOut`].
     ///
     /// # Errors
     /// As [`give_up`](Self::give_up).
-    pub fn give_up_oldest_posted(&mut self, after: Duration) -> Result<(), OutOfSync> {
-        let Some(oldest) = self.oldest_posted() else { return Ok(()) };
+    pub fn give_up_oldest_posted(&mut self, owner: Owner, after: Duration) -> Result<(), OutOfSync> {
+        let Some(oldest) = self.oldest_posted(owner) else { return Ok(()) };
         self.sent.give_up(oldest.id)?;
-        self.posted.finish(oldest.id, Err(Failure::TimedOut { after }));
+        self.owners.finish(owner, oldest.id, Err(Failure::TimedOut { after }));
         Ok(())
     }
 
@@ -254,42 +237,24 @@ impl Exchange {
         }
     }
 
-    /// Abandons all outstanding posted requests, and returns their number.
-    pub fn abandon_posted(&mut self) -> u64 {
+    /// Abandons all outstanding posted requests of an owner, which posts no more. Returns their number, and the
+    /// outcomes of its other requests since these were last taken.
+    pub fn abandon_posted(&mut self, owner: Owner) -> (u64, PostedOutcomes) {
         let mut count = 0;
-        while let Some(request) = self.posted.outstanding.pop_front() {
+        for request in self.owners.posted(owner) {
             self.sent.abandon(request.id);
             count += 1;
         }
-        count
+        (count, self.owners.end_posting(owner))
     }
 
-    /// The outcomes of posted requests since this was last asked.
-    pub fn take_posted_outcomes(&mut self) -> PostedOutcomes {
-        std::mem::take(&mut self.posted.outcomes)
+    /// Takes the outcomes of the posted requests of an owner since this was last called.
+    pub fn take_posted_outcomes(&mut self, owner: Owner) -> PostedOutcomes {
+        self.owners.take_outcomes(owner)
     }
 
     fn pending_for(&mut self, request: RequestId) -> Option<Pending> {
         let place = self.pending.binary_search_by_key(&request, |(owner, _)| *owner).ok()?;
         self.pending.remove(place).map(|(_, pending)| pending)
-    }
-}
-
-impl Posted {
-    /// Counts the outcome of a request, which is the oldest as a rule.
-    fn finish(&mut self, request: RequestId, outcome: Result<(), Failure>) {
-        let place = self.outstanding.iter().position(|posted| posted.id == request);
-        let Some(finished) = place.and_then(|place| self.outstanding.remove(place)) else { return };
-        match outcome {
-            Ok(()) => self.outcomes.accepted += 1,
-            Err(failure) => self.outcomes.failed.push((finished.command, failure)),
-        }
-    }
-
-    /// Takes back the newest request, if it is this one.
-    fn withdraw(&mut self, request: RequestId) {
-        if self.outstanding.back().is_some_and(|newest| newest.id == request) {
-            self.outstanding.pop_back();
-        }
     }
 }

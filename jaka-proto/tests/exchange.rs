@@ -3,10 +3,14 @@
 use std::time::{Duration, Instant};
 
 use jaka_proto::Request;
-use jaka_proto::exchange::{Delivery, Exchange, Failure, OutOfSync, ReadReply, Received, RequestId, TextOnly, Waiter};
+use jaka_proto::exchange::{
+    Delivery, Exchange, Failure, OutOfSync, Owner, ReadReply, Received, RequestId, TextOnly, Waiter,
+};
+
+const OWNER: Owner = Owner(1);
 
 fn send(exchange: &mut Exchange, command: &'static str) -> RequestId {
-    exchange.send(command.into())
+    exchange.send(OWNER, command.into())
 }
 
 fn named(command: &str) -> String {
@@ -203,10 +207,10 @@ fn a_bare_tuple_is_the_reply_of_the_one_command_that_is_answered_so() {
 #[test]
 fn a_request_that_did_not_go_out_is_withdrawn() {
     let mut exchange = Exchange::default();
-    let (a, b) = (send(&mut exchange, "a"), exchange.post("a", Instant::now()));
+    let (a, b) = (send(&mut exchange, "a"), exchange.post(OWNER, "a", Instant::now()));
     assert_eq!(exchange.withdraw(a), Err(OutOfSync::BeforeSent));
     assert_eq!(exchange.withdraw(b), Ok(()));
-    assert_eq!((exchange.outstanding(), exchange.posted_outstanding()), (1, 0));
+    assert_eq!((exchange.outstanding(), exchange.posted_outstanding(OWNER)), (1, 0));
     answer(&mut exchange, "a").expect("it is outstanding");
     assert_eq!(exchange.withdraw(a), Err(OutOfSync::BeforeSent));
     assert_eq!(answer(&mut exchange, "a"), unsolicited("a"));
@@ -216,41 +220,64 @@ fn a_request_that_did_not_go_out_is_withdrawn() {
 fn outcomes_of_posted_requests_are_counted() {
     let (mut exchange, now) = (Exchange::default(), Instant::now());
     let later = now + Duration::from_secs(1);
-    let [first, second] = [now, later].map(|now| exchange.post("a", now));
-    exchange.post("b", later);
-    let oldest = exchange.oldest_posted().expect("they are outstanding");
+    let [first, second] = [now, later].map(|now| exchange.post(OWNER, "a", now));
+    exchange.post(OWNER, "b", later);
+    let oldest = exchange.oldest_posted(OWNER).expect("they are outstanding");
     assert_eq!((oldest.id, oldest.command, oldest.sent_at), (first, "a", now));
     assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").delivery, Delivery::Counted);
-    assert_eq!(exchange.oldest_posted().map(|oldest| oldest.id), Some(second));
+    assert_eq!(exchange.oldest_posted(OWNER).map(|oldest| oldest.id), Some(second));
     receive(&mut exchange, r#"{"errorCode": "7", "cmdName": "a"}"#).expect("it is outstanding");
-    exchange.post("c", later);
+    exchange.post(OWNER, "c", later);
     answer(&mut exchange, "c").expect("it is outstanding");
-    let outcomes = exchange.take_posted_outcomes();
+    let outcomes = exchange.take_posted_outcomes(OWNER);
     assert_eq!(outcomes.accepted, 2);
     let [("a", Failure::Refused(refusal)), ("b", Failure::Lost)] = &*outcomes.failed else { panic!("{outcomes:?}") };
     assert_eq!(refusal.code.0, 7);
-    let again = exchange.take_posted_outcomes();
-    assert_eq!((again.accepted, again.failed.len(), exchange.posted_outstanding()), (0, 0, 0));
+    let again = exchange.take_posted_outcomes(OWNER);
+    assert_eq!((again.accepted, again.failed.len(), exchange.posted_outstanding(OWNER)), (0, 0, 0));
 }
 
 #[test]
 fn posted_requests_are_given_up_from_the_oldest() {
     let (mut exchange, now, after) = (Exchange::default(), Instant::now(), Duration::from_secs(5));
     for _ in 0..3 {
-        exchange.post("a", now);
+        exchange.post(OWNER, "a", now);
     }
-    assert_eq!(exchange.give_up_oldest_posted(after), Ok(()));
-    assert_eq!(exchange.take_posted_outcomes().failed, [("a", Failure::TimedOut { after })]);
-    assert_eq!((exchange.outstanding(), exchange.posted_outstanding()), (3, 2));
+    assert_eq!(exchange.give_up_oldest_posted(OWNER, after), Ok(()));
+    assert_eq!(exchange.take_posted_outcomes(OWNER).failed, [("a", Failure::TimedOut { after })]);
+    assert_eq!((exchange.outstanding(), exchange.posted_outstanding(OWNER)), (3, 2));
     assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").delivery, Delivery::Discarded);
     // The reply may have been the second's.
-    assert_eq!(exchange.give_up_oldest_posted(after), ambiguous("a"));
-    assert_eq!(exchange.abandon_posted(), 2);
-    assert_eq!((exchange.outstanding(), exchange.posted_outstanding()), (2, 0));
-    assert_eq!(exchange.give_up_oldest_posted(after), Ok(()));
+    assert_eq!(exchange.give_up_oldest_posted(OWNER, after), ambiguous("a"));
+    assert_eq!(exchange.abandon_posted(OWNER).0, 2);
+    assert_eq!((exchange.outstanding(), exchange.posted_outstanding(OWNER)), (2, 0));
+    assert_eq!(exchange.give_up_oldest_posted(OWNER, after), Ok(()));
     assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").delivery, Delivery::Discarded);
-    let outcomes = exchange.take_posted_outcomes();
+    let outcomes = exchange.take_posted_outcomes(OWNER);
     assert_eq!((outcomes.accepted, outcomes.failed), (0, vec![]));
+}
+
+#[test]
+fn each_owner_has_its_own_counts_and_outcomes() {
+    let (mut exchange, now, other) = (Exchange::default(), Instant::now(), Owner(2));
+    exchange.post(OWNER, "a", now);
+    exchange.post(other, "b", now);
+    exchange.post(other, "a", now);
+    let request = exchange.send(other, "c".into());
+    assert_eq!((exchange.posted_outstanding(OWNER), exchange.posted_outstanding(other)), (1, 2));
+    assert_eq!(exchange.outstanding_of(|owner| owner == other), 3);
+    receive(&mut exchange, r#"{"errorCode": "7", "cmdName": "a"}"#).expect("it is outstanding");
+    assert_eq!(exchange.take_posted_outcomes(other).failed, []);
+    assert_eq!(exchange.oldest_posted(OWNER), None);
+    assert_eq!(exchange.oldest_posted(other).map(|oldest| oldest.command), Some("b"));
+    assert!(matches!(*exchange.take_posted_outcomes(OWNER).failed, [("a", Failure::Refused(_))]));
+    assert_eq!(exchange.abandon_posted(OWNER).0, 0);
+    assert_eq!(exchange.abandon_posted(other).0, 2);
+    // What was abandoned is outstanding in the controller, and so is what is waited for.
+    assert_eq!(exchange.outstanding_of(|owner| owner == other), 3);
+    assert_eq!(answer(&mut exchange, "b").expect("it is outstanding").delivery, Delivery::Discarded);
+    exchange.give_up(request).expect("nothing has come");
+    assert_eq!(exchange.outstanding_of(|owner| owner == other), 2);
 }
 
 #[test]
@@ -294,14 +321,15 @@ fn the_time_of_a_step_does_not_grow_with_what_is_outstanding() {
     const COUNT: usize = 500_000;
     let since = Instant::now();
     let mut exchange = Exchange::default();
-    let send = |exchange: &mut Exchange| -> Vec<RequestId> { (0..COUNT).map(|_| exchange.send("a".into())).collect() };
+    let send =
+        |exchange: &mut Exchange| -> Vec<RequestId> { (0..COUNT).map(|_| exchange.send(OWNER, "a".into())).collect() };
     let dropped = send(&mut exchange);
     for request in dropped {
         exchange.abandon(request);
     }
     let awaited = send(&mut exchange);
     for _ in 0..COUNT {
-        exchange.post("a", since);
+        exchange.post(OWNER, "a", since);
     }
     let reply = named("a");
     for number in 0..3 * COUNT {
@@ -310,8 +338,8 @@ fn the_time_of_a_step_does_not_grow_with_what_is_outstanding() {
         let delivery = exchange.receive(&reply, envelope, &mut nobody).expect("it is outstanding").delivery;
         assert_eq!(delivery, [Delivery::Discarded, Delivery::Pending, Delivery::Counted][number / COUNT]);
     }
-    assert_eq!((exchange.outstanding(), exchange.posted_outstanding()), (0, 0));
-    assert_eq!(exchange.take_posted_outcomes().accepted, COUNT as u64);
+    assert_eq!((exchange.outstanding(), exchange.posted_outstanding(OWNER)), (0, 0));
+    assert_eq!(exchange.take_posted_outcomes(OWNER).accepted, COUNT as u64);
     let (mut text, mut reader) = (String::new(), TextOnly);
     for request in awaited {
         let mut waiter = Waiter::new(request, &mut text, &mut reader);

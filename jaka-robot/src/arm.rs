@@ -18,7 +18,7 @@ use jaka_clock::Clock;
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::{ErrorCode, Refusal};
-use jaka_sync::layer::{AttachedRobot, ClientParts as _, Leading, Link, Stops, told};
+use jaka_sync::layer::{AttachedRobot, ClientParts as _, Leading, Link, Owner, Stops, told};
 
 pub(crate) use self::guards::{GuardProgress, PacketObserver};
 pub(crate) use self::position::{Answer, Position, QUERY_PERIOD, SETTLING};
@@ -204,8 +204,8 @@ impl Arm {
     }
 
     /// Begins the lead of a session: other handles of the connection send only what passes beside it.
-    pub(crate) fn lead(&self) -> Result<Leading, Error> {
-        self.link().lead(self.client.handle()).map_err(|by| self.attach(kept_back(by)))
+    pub(crate) fn lead(&self, owner: Owner) -> Result<Leading, Error> {
+        self.link().lead(self.client.handle(), owner).map_err(|by| self.attach(kept_back(by)))
     }
 
     /// Waits until the arm is at rest, by the controller's answers, if it has been stopped, or led by a session, and was

@@ -8,14 +8,14 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::check::{InvalidArgument, Rules};
-use jaka_proto::exchange::{ReadReply, TextOnly, TypedReply};
+use jaka_proto::exchange::{Owner, ReadReply, TextOnly, TypedReply};
 use jaka_proto::messages::power::GetVersion;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, Envelope, FirmwareVersion, Role};
 use serde_json::Value;
 
-use crate::link::{Dispatched, Gate, Handle, Link, OPEN, Outgoing, SendError, Written, unexpected};
+use crate::link::{Dispatched, Gate, Handle, Link, OPEN, Outgoing, SendError, UnderWay, Written, unexpected};
 use crate::{Config, Disconnect, Error, ErrorKind, StopHandle, connection};
 
 /// A connection to a controller's command port.
@@ -79,7 +79,8 @@ impl Client {
     /// closes the connection for all handles, whose calls then fail. Dropping another handle closes nothing.
     ///
     /// While a servo session, a stream or a trajectory of jaka-robot moves the arm, other handles can send only
-    /// outputs, short queries and `stop_program` (4.23). Every other command fails with [`ErrorKind::KeptBack`].
+    /// outputs, short queries and `stop_program` (4.23). Every other command fails with [`ErrorKind::KeptBack`]. Of
+    /// outputs and queries, at most 8 are outstanding then, and the next one waits within its deadline.
     ///
     /// ```no_run
     /// use jaka_sync::Client;
@@ -215,12 +216,18 @@ impl Client {
         Rules { ranges: self.config.advisory_ranges, firmware: self.link.firmware() }
     }
 
-    /// Sends commands without waiting for their replies, which are counted, and returns the number of outstanding ones.
-    pub(crate) fn post<C: Command, R>(&self, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>> {
+    /// Sends commands without waiting for their replies, which are counted for their owner, and returns the number of
+    /// its outstanding ones.
+    pub(crate) fn post<C: Command, R>(
+        &self,
+        owner: Owner,
+        gate: Gate<'_, R>,
+        commands: &[C],
+    ) -> Result<usize, SendError<R>> {
         self.check(commands)?;
         let (mut rest, mut outstanding) = (commands, 0);
         while !rest.is_empty() {
-            let posting = self.post_some(gate, rest)?;
+            let posting = self.post_some(owner, gate, rest)?;
             (rest, outstanding) = (&rest[posting.sent..], posting.outstanding);
         }
         Ok(outstanding)
@@ -229,13 +236,17 @@ impl Client {
     /// Sends the first of the checked commands in one write: at least one of them, and only ones of one role.
     pub(crate) fn post_some<C: Command, R>(
         &self,
+        owner: Owner,
         gate: Gate<'_, R>,
         commands: &[C],
     ) -> Result<Dispatched, SendError<R>> {
         let role = commands.first().and_then(C::role);
         let count = commands.iter().take_while(|command| command.role() == role).count();
-        let write = &mut |index: usize, out: &mut _| commands[index].write_request(out);
-        self.link.post((C::INFO, role, self.handle), self.config.reply_timeout, gate, count, write)
+        let outgoing = Outgoing::of(&self.link.clock, C::INFO, self.config.reply_timeout).of_handle(self.handle);
+        let outgoing = outgoing.posted_for(owner).in_forms_of(self.link.firmware()).in_role(role);
+        let (outgoing, stop) = self.link.begun(outgoing);
+        let sent = self.link.transmit(&outgoing, gate, count, &mut |index, out| commands[index].write_request(out));
+        sent.inspect_err(|_| stop.iter().for_each(UnderWay::failed))
     }
 
     /// Checks commands against the spec and the firmware.

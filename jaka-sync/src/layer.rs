@@ -14,6 +14,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_clock::Clock;
+pub use jaka_proto::exchange::Owner;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{Command, CommandInfo};
 
@@ -143,11 +144,12 @@ pub trait ClientParts: Sized {
         timeout: Duration,
     ) -> Result<(), SendError<R>>;
 
-    /// Sends commands without waiting for their replies, which are counted, and returns the number of outstanding ones.
+    /// Sends commands without waiting for their replies, which are counted for their owner, and returns the number of
+    /// its outstanding ones.
     ///
     /// # Errors
     /// The reason of the gate, or as [`Client::call`].
-    fn post<C: Command, R>(&self, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>>;
+    fn post<C: Command, R>(&self, owner: Owner, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>>;
 }
 
 impl ClientParts for Client {
@@ -185,8 +187,8 @@ impl ClientParts for Client {
         Client::call_written(self, gate, request, timeout)
     }
 
-    fn post<C: Command, R>(&self, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>> {
-        Client::post(self, gate, commands)
+    fn post<C: Command, R>(&self, owner: Owner, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>> {
+        Client::post(self, owner, gate, commands)
     }
 }
 

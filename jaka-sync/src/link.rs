@@ -20,10 +20,10 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use jaka_clock::{Clock, Socket, lock};
-use jaka_proto::exchange::{Failure, ReadReply, RequestId, Waiter};
+use jaka_proto::exchange::{Failure, Owner, ReadReply, RequestId, Waiter};
 use jaka_proto::recording::{Entry, MotionStep};
 use jaka_proto::wire::{DecodeError, Writer};
-use jaka_proto::{CommandInfo, FirmwareVersion, Role};
+use jaka_proto::{CommandInfo, FirmwareVersion};
 use socket2::SockRef;
 
 use self::halves::Inbound;
@@ -176,11 +176,11 @@ impl Link {
         self.state.lock().frame_changes
     }
 
-    /// Begins the lead of a session by this handle.
-    pub fn lead(&self, by: Handle) -> Result<Leading, Kept> {
+    /// Begins the lead of a session by this handle; the owner is that of its set-points.
+    pub fn lead(&self, by: Handle, owner: Owner) -> Result<Leading, Kept> {
         // Under the lock, so that no command passes that was checked before.
         let _state = self.state.lock();
-        self.stops.lead(by)
+        self.stops.lead(by, owner)
     }
 
     /// Records an event of a motion.
@@ -216,7 +216,7 @@ impl Link {
     }
 
     /// Begins a stop of the program, if the command is one; its deadline begins once a session has braked.
-    fn begun<'o>(&self, outgoing: Outgoing<'o>) -> (Outgoing<'o>, Option<UnderWay>) {
+    pub(crate) fn begun<'o>(&self, outgoing: Outgoing<'o>) -> (Outgoing<'o>, Option<UnderWay>) {
         if !outgoing.is_stop() {
             return (outgoing, None);
         }
@@ -249,21 +249,6 @@ impl Link {
     ) -> Result<Sent<'c>, SendError<R>> {
         let request = self.transmit(outgoing, gate, 1, &mut |_, out| write(out))?.last;
         Ok(Sent { request, command: outgoing.command, since: outgoing.since.began, timeout: outgoing.timeout })
-    }
-
-    /// Sends at least one of this many commands of one name, in one write. Returns the number of sent commands and of
-    /// outstanding posted ones. `write` writes the request with an index.
-    pub(crate) fn post<R>(
-        &self,
-        (info, role, by): (&'static CommandInfo, Option<Role>, Handle),
-        timeout: Duration,
-        gate: Gate<'_, R>,
-        count: usize,
-        write: &mut dyn FnMut(usize, &mut Writer),
-    ) -> Result<Dispatched, SendError<R>> {
-        let outgoing = Outgoing::of(&self.clock, info, timeout).of_handle(by).in_forms_of(self.firmware());
-        let (outgoing, stop) = self.begun(Outgoing { is_posted: true, ..outgoing.in_role(role) });
-        self.transmit(&outgoing, gate, count, write).inspect_err(|_| stop.iter().for_each(UnderWay::failed))
     }
 
     /// Makes the socket blocking or nonblocking. It must block while a thread reads it.

@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use jaka_proto::Command;
+use jaka_proto::exchange::Owner;
 
 #[cfg(doc)]
 use crate::ErrorKind;
@@ -15,8 +16,9 @@ use crate::{Client, Error};
 /// The controller processes the commands in order and replies to each. The replies are counted; up to a window of
 /// commands is outstanding at once.
 ///
-/// A refusal is noticed late: up to a window of later commands have been sent by then, and may have run. If a command
-/// must not be sent unless the previous one was accepted, call them one by one.
+/// Counts and failures are those of this pipeline's commands alone, whatever other handles send. A refusal is noticed
+/// late: up to a window of later commands have been sent by then, and may have run. If a command must not be sent
+/// unless the previous one was accepted, call them one by one.
 ///
 /// A stop is sent between the commands. The controller first processes the outstanding ones, so at most 256 commands
 /// are outstanding, including those of dropped pipelines.
@@ -42,6 +44,7 @@ use crate::{Client, Error};
 #[must_use = "dropping a pipeline gives up its outstanding replies; `finish` waits for them"]
 pub struct Pipeline<'c> {
     client: &'c mut Client,
+    owner: Owner,
     window: usize,
     outstanding: usize,
     sent: u64,
@@ -61,6 +64,7 @@ impl Client {
 impl<'c> Pipeline<'c> {
     fn new(client: &'c mut Client, window: usize) -> Self {
         Self {
+            owner: client.link.new_owner(),
             client,
             window: window.clamp(1, MOST_OUTSTANDING),
             outstanding: 0,
@@ -124,7 +128,7 @@ impl<'c> Pipeline<'c> {
     fn send_checked<C: Command>(&mut self, commands: &[C]) -> Result<(), Error> {
         let mut rest = commands;
         while !rest.is_empty() {
-            let posting = self.client.post_some(OPEN, rest)?;
+            let posting = self.client.post_some(self.owner, OPEN, rest)?;
             self.outstanding = posting.outstanding;
             self.sent += posting.sent as u64;
             rest = &rest[posting.sent..];
@@ -160,10 +164,10 @@ impl<'c> Pipeline<'c> {
 
     fn wait(&mut self, most: usize) -> Result<(), Error> {
         let link = &self.client.link;
-        let (answers, checked) = link.wait_for_posted(most, self.client.reply_timeout());
+        let (answers, checked) = link.wait_for_posted(self.owner, most, self.client.reply_timeout());
         self.accepted += answers.accepted;
         self.failed.extend(answers.failed);
-        self.outstanding = link.outstanding();
+        self.outstanding = link.outstanding(self.owner);
         checked
     }
 }
@@ -171,6 +175,6 @@ impl<'c> Pipeline<'c> {
 impl Drop for Pipeline<'_> {
     fn drop(&mut self) {
         // Only `finish` reports the outcomes of the others.
-        drop(self.client.link.forget_posted());
+        drop(self.client.link.forget_posted(self.owner));
     }
 }

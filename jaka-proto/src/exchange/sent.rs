@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::VecDeque;
 
+use super::Owner;
 use crate::envelope::Envelope;
 
 /// One request of an exchange. The default is one that no exchange gives.
@@ -13,6 +14,7 @@ pub struct RequestId(u64);
 #[derive(Debug)]
 pub(crate) struct SentRequest {
     pub(crate) id: RequestId,
+    pub(super) owner: Owner,
     pub(crate) command: Cow<'static, str>,
     pub(crate) recipient: Recipient,
 }
@@ -83,26 +85,25 @@ impl SentRequests {
     }
 
     /// Enters a request that goes out next.
-    pub(crate) fn push(&mut self, command: Cow<'static, str>, recipient: Recipient) -> RequestId {
+    pub(crate) fn push(&mut self, owner: Owner, command: Cow<'static, str>, recipient: Recipient) -> RequestId {
         self.count += 1;
         let id = RequestId(self.count);
         match self.names.iter_mut().find(|name| name.command == command) {
             Some(name) => name.outstanding += 1,
             None => self.names.push(Name { command: command.clone(), outstanding: 1, doubtful: false }),
         }
-        self.outstanding.push_back(SentRequest { id, command, recipient });
+        self.outstanding.push_back(SentRequest { id, owner, command, recipient });
         id
     }
 
     /// Takes back the newest request.
-    pub(super) fn withdraw(&mut self, id: RequestId) -> Result<(), OutOfSync> {
+    pub(super) fn withdraw(&mut self, id: RequestId) -> Result<SentRequest, OutOfSync> {
         if self.outstanding.back().is_none_or(|newest| newest.id != id) {
             return Err(OutOfSync::BeforeSent);
         }
-        if let Some(newest) = self.outstanding.pop_back() {
-            self.count_off(&newest.command);
-        }
-        Ok(())
+        let newest = self.outstanding.pop_back().ok_or(OutOfSync::BeforeSent)?;
+        self.count_off(&newest.command);
+        Ok(newest)
     }
 
     /// The request that is completed by the reply with this envelope, or without one. `lost` is called with each

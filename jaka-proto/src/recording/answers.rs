@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::time::Duration;
 
 use super::{Ending, Event, Message, Port, Recording};
-use crate::exchange::RequestId;
 use crate::exchange::sent::{Recipient, SentRequests};
+use crate::exchange::{Owner, RequestId};
 use crate::{Envelope, Request};
 
 /// A recorded request, and its outcome.
@@ -78,7 +78,7 @@ impl Pairs {
     fn sent(&mut self, connection: u32, request: &Message, sent: Duration) {
         let name = request.text().and_then(|text| Envelope::read(text).ok()?.command).unwrap_or_default();
         let connection = self.connections.entry(connection).or_default();
-        let id = connection.sent.push(name.into_owned().into(), Recipient::Waiter);
+        let id = connection.sent.push(Owner::default(), name.into_owned().into(), Recipient::Waiter);
         connection.open.push((id, self.all.len()));
         self.all.push(Answered { request: request.clone(), sent, answer: Answer::Nothing });
     }

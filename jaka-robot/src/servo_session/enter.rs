@@ -43,7 +43,8 @@ impl<'r> ServoSession<'r> {
         rates.check_themselves()?;
         let priority = config.take_priority()?;
         rest(arm, has_motions, config.enter_timeout)?;
-        let lead = Some(arm.lead()?);
+        let owner = arm.link().new_owner();
+        let lead = Some(arm.lead(owner)?);
         let (frame_changes, under_way) = (arm.link().frame_changes(), arm.under_way());
         if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
             return Err(arm.not_ready(Explanation::ServoModeOn));
@@ -62,6 +63,7 @@ impl<'r> ServoSession<'r> {
             under_way,
             arm,
             limits,
+            owner,
             lead,
             config: config.clone(),
             rates,

@@ -107,7 +107,7 @@ impl ServoSession<'_> {
     pub(super) fn come_to_rest_by(&mut self, braking: BrakingPath<'_>) -> Result<(), Error> {
         let came = if self.course.has_begun() {
             // Set-points that were sent before may be refused yet.
-            let outstanding = u64::try_from(self.arm.link().outstanding()).unwrap_or(u64::MAX);
+            let outstanding = u64::try_from(self.arm.link().outstanding(self.owner)).unwrap_or(u64::MAX);
             let refused = self.report.refused.saturating_add(outstanding);
             match self.brake(braking, refused) {
                 // No set-point follows a stop, but packets may show rest.

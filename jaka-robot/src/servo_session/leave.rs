@@ -85,7 +85,7 @@ impl ServoSession<'_> {
     fn last_answers(&mut self) -> Result<(), Error> {
         let since = self.arm.clock().stopwatch();
         let mut pace = Pace::new(self.arm.clock(), CYCLE, Duration::ZERO);
-        while self.arm.link().outstanding() > 0 && since.passed() < PATIENCE {
+        while self.arm.link().outstanding(self.owner) > 0 && since.passed() < PATIENCE {
             self.take_answers(ServoJ::INFO.name)?;
             pace.wait();
         }
@@ -146,7 +146,7 @@ impl ServoSession<'_> {
         self.is_open = false;
         self.expect_set_point(false);
         // Another thread that reads may have received replies meanwhile.
-        let (answers, unanswered) = self.arm.link().forget_posted();
+        let (answers, unanswered) = self.arm.link().forget_posted(self.owner);
         self.count(answers);
         self.report.unanswered += unanswered;
         let off = self.arm.ask(&SetServoMode::new(Switch::Off))?;

@@ -10,7 +10,7 @@ use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::recording::MotionStep;
-use jaka_sync::layer::{Answers, ClientParts as _, Gate, Leading};
+use jaka_sync::layer::{Answers, ClientParts as _, Gate, Leading, Owner};
 
 use super::ServoConfig;
 use super::course::Course;
@@ -88,6 +88,8 @@ use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 pub struct ServoSession<'r> {
     pub(crate) arm: &'r mut Arm,
     pub(crate) limits: &'r mut LimitChecks,
+    /// Owner of the set-points.
+    pub(super) owner: Owner,
     /// Keeps back commands of other handles, until the session ends.
     pub(super) lead: Option<Leading>,
     pub(super) config: ServoConfig,
@@ -362,7 +364,7 @@ impl ServoSession<'_> {
     ) -> Result<Duration, Error> {
         let (steps, clock) = (self.config.step_count.into(), self.arm.clock().clone());
         let gap = if self.stands_within_a_period() { Duration::MAX } else { self.config.gap() };
-        let (client, begun, lateness) = (self.arm.client(), self.begun, Cell::new(Duration::ZERO));
+        let (owner, client, begun, lateness) = (self.owner, self.arm.client(), self.begun, Cell::new(Duration::ZERO));
         let gate = || {
             gate()?;
             let late = begun.map_or(Duration::ZERO, |cycle| clock.elapsed(cycle.due));
@@ -371,10 +373,10 @@ impl ServoSession<'_> {
         };
         let gate: Gate<'_, Error> = Some(&gate);
         let outstanding = match *set_point {
-            SetPoint::Joints(target) => client.post(gate, &[ServoJ::absolute(target).step_count(steps)]),
-            SetPoint::JointOffset(offset) => client.post(gate, &[ServoJ::relative(offset).step_count(steps)]),
-            SetPoint::Pose(target) => client.post(gate, &[ServoP::absolute(target).step_count(steps)]),
-            SetPoint::PoseOffset(offset) => client.post(gate, &[ServoP::relative(offset).step_count(steps)]),
+            SetPoint::Joints(target) => client.post(owner, gate, &[ServoJ::absolute(target).step_count(steps)]),
+            SetPoint::JointOffset(offset) => client.post(owner, gate, &[ServoJ::relative(offset).step_count(steps)]),
+            SetPoint::Pose(target) => client.post(owner, gate, &[ServoP::absolute(target).step_count(steps)]),
+            SetPoint::PoseOffset(offset) => client.post(owner, gate, &[ServoP::relative(offset).step_count(steps)]),
         }?;
         let late = lateness.get();
         if let Some(cycle) = self.begun.take() {
@@ -387,16 +389,16 @@ impl ServoSession<'_> {
     /// On a stalled link, set-points would accumulate, and move the arm later than wanted.
     pub(super) fn check_unanswered(&mut self) -> Result<(), Error> {
         let link = self.arm.link();
-        let count = link.outstanding();
+        let count = link.outstanding(self.owner);
         if count < self.config.most_unanswered() {
             return Ok(());
         }
-        let oldest = link.oldest_posted().unwrap_or_default();
+        let oldest = link.oldest_posted(self.owner).unwrap_or_default();
         Err(self.arm.attach(ErrorKind::SetPointsUnanswered { count, oldest }))
     }
 
     pub(super) fn take_answers(&mut self, command: &str) -> Result<(), Error> {
-        let (answers, checked) = self.arm.link().drain(command);
+        let (answers, checked) = self.arm.link().drain(self.owner, command);
         self.count(answers);
         Ok(checked?)
     }

@@ -5,7 +5,7 @@ use std::io;
 use std::sync::atomic::Ordering;
 
 use jaka_clock::Socket;
-use jaka_proto::exchange::RequestId;
+use jaka_proto::exchange::{RequestId, Waiter};
 use jaka_proto::wire::Writer;
 
 use super::halves::Outbound;
@@ -34,18 +34,18 @@ pub(crate) struct Dispatched {
     pub(super) last: RequestId,
     /// Number of commands sent.
     pub(crate) sent: usize,
-    /// Number of outstanding posted commands.
+    /// Number of outstanding posted commands of their owner.
     pub(crate) outstanding: usize,
 }
 
 impl Link {
     /// Sends up to this many commands in one write, and enters them into the exchange. `write` writes the request with
-    /// an index. Of long requests, only some are sent at once.
+    /// an index. Of long requests, and beside a reservation, only some are sent at once.
     ///
     /// The thread whose turn it is asks the gate and enters the commands under the lock: the exchange has the order of
     /// the wire, and nothing is sent after a stop that the gate knows of. Between the gate and the write no code of the
     /// program runs. The logger gets its lines afterwards, when other threads can send again.
-    pub(super) fn transmit<R>(
+    pub(crate) fn transmit<R>(
         &self,
         outgoing: &Outgoing<'_>,
         gate: Gate<'_, R>,
@@ -82,7 +82,7 @@ impl Link {
         outgoing.check_firmware().map_err(|error| self.attach(error))?;
         outbound.out.set_firmware(outgoing.firmware);
         // A panic of the writing code leaves no request: none is entered yet, and the next call clears the buffer.
-        outbound.compose(count, write);
+        outbound.compose(count.min(state.room(outgoing, &self.stops)), write);
         match gate {
             Some(gate) => gate().map_err(SendError::KeptBack)?,
             None => self.stops.check(outgoing).map_err(|error| self.attach(error))?,
@@ -109,8 +109,8 @@ impl Link {
         let now = outgoing.is_posted.then(|| self.clock.now());
         for (_, request) in &mut outbound.requests {
             *request = match (now, &outgoing.name) {
-                (Some(now), Cow::Borrowed(command)) => state.exchange.post(command, now),
-                (_, name) => state.exchange.send(name.clone()),
+                (Some(now), Cow::Borrowed(command)) => state.exchange.post(outgoing.owner, command, now),
+                (_, name) => state.exchange.send(outgoing.owner, name.clone()),
             };
             state.frame_changes += u64::from(outgoing.changes_frames());
             state.count_change(outgoing);
@@ -164,7 +164,7 @@ impl Link {
     ) -> Result<Dispatched, Error> {
         let cause = match written {
             Ok(len) if len == outbound.out.as_str().len() => {
-                let (sent, outstanding) = (outbound.requests.len(), state.exchange.posted_outstanding());
+                let (sent, outstanding) = (outbound.requests.len(), state.exchange.posted_outstanding(outgoing.owner));
                 // There is one at least, unless nothing was to be sent.
                 let last = outbound.requests.last().map_or_else(RequestId::default, |(_, request)| *request);
                 return Ok(Dispatched { last, sent, outstanding });
@@ -182,7 +182,8 @@ impl Link {
         Err(self.disconnected(outgoing.command, Transmission::Sent, self.break_off(state, cause)))
     }
 
-    /// Waits until no other thread sends, and no stop waits for the turn.
+    /// Waits until no other thread sends, no stop waits for the turn, and there is room beside a reservation. Fails for
+    /// a command that a reservation keeps back.
     pub(super) fn take_turn<'l>(
         &'l self,
         outgoing: &Outgoing<'_>,
@@ -195,14 +196,20 @@ impl Link {
             }
             self.check(&state, outgoing.command, Transmission::NotSent)?;
             let lets_pass = !outgoing.is_stop() && self.passing.load(Ordering::SeqCst) > 0;
-            if !lets_pass && state.outbound.is_some() {
-                return Ok((Turn { link: self, outbound: state.outbound.take() }, state));
+            let is_free = !lets_pass && state.outbound.is_some();
+            if is_free {
+                if state.room(outgoing, &self.stops) > 0 {
+                    return Ok((Turn { link: self, outbound: state.outbound.take() }, state));
+                }
+                // It does not wait for room that it may not use.
+                self.stops.check(outgoing).map_err(|error| self.attach(error))?;
             }
             let left = outgoing.left();
             if left.is_zero() {
                 return Err(self.attach(outgoing.not_sent()));
             }
-            state = self.state.wait(state, left);
+            // Replies make room.
+            state = if is_free { self.turn(state, left, &mut Waiter::nobody()) } else { self.state.wait(state, left) };
         }
     }
 }

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use jaka_clock::{Clock, Stopwatch};
 use jaka_proto::check::{NotSent, Rules};
+use jaka_proto::exchange::Owner;
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion, Role};
 
@@ -20,6 +21,11 @@ pub struct Handle(pub(super) u64);
 impl Handle {
     /// Handle of the first client.
     pub(crate) const FIRST: Self = Self(0);
+
+    /// Owner of the requests whose replies the handle waits for. Handles and other owners share one number space.
+    pub(super) fn owner(self) -> Owner {
+        Owner(self.0)
+    }
 }
 
 /// Check by the sending thread, immediately before it sends a command: an error, the reason, keeps the command back.
@@ -95,6 +101,8 @@ pub(crate) struct Outgoing<'o> {
     /// Whether the outcomes are counted, and no thread waits for one in particular.
     pub(super) is_posted: bool,
     pub(super) by: Handle,
+    /// Owner of the outcomes.
+    pub(super) owner: Owner,
     /// Facts of the command; `None` for one that neither the spec nor its caller knows.
     pub(super) info: Option<&'static CommandInfo>,
     /// Firmware in whose forms it is written, and its reply is read.
@@ -125,6 +133,7 @@ impl<'o> Outgoing<'o> {
             stop: None,
             is_posted: false,
             by: Handle::FIRST,
+            owner: Handle::FIRST.owner(),
             info: None,
             firmware: None,
         }
@@ -147,7 +156,12 @@ impl<'o> Outgoing<'o> {
 
     /// Sets the handle that sends the command.
     pub(crate) fn of_handle(self, by: Handle) -> Self {
-        Self { by, ..self }
+        Self { by, owner: by.owner(), ..self }
+    }
+
+    /// Makes the outcomes counted ones of this owner.
+    pub(crate) fn posted_for(self, owner: Owner) -> Self {
+        Self { owner, is_posted: true, ..self }
     }
 
     /// Sets the role of the request, which may differ from that of its command.

@@ -3,9 +3,8 @@
 
 use std::time::Duration;
 
-use jaka_proto::exchange::Waiter;
+use jaka_proto::exchange::{Owner, PostedOutcomes, Waiter};
 
-use super::state::LinkState;
 use super::{Link, Transmission, failed, not_sent_in_time};
 use crate::{Disconnect, Error};
 
@@ -13,7 +12,7 @@ use crate::{Disconnect, Error};
 /// given up. A stop after more requests would be of little use, since the controller processes them first.
 pub(crate) const MOST_OUTSTANDING: usize = 256;
 
-/// Outcomes of posted commands, since they were last taken.
+/// Outcomes of the posted commands of an owner, since they were last taken.
 #[derive(Debug, Default)]
 pub struct Answers {
     /// Number of accepted commands.
@@ -23,23 +22,24 @@ pub struct Answers {
 }
 
 impl Link {
-    /// Reads the bytes that have come, without waiting, and returns the outcomes of posted commands, and an error if
-    /// the connection is broken. While another thread reads, only the bytes that it has read so far count.
-    pub fn drain(&self, command: &str) -> (Answers, Result<(), Error>) {
+    /// Reads the bytes that have come, without waiting, and returns the outcomes of the posted commands of an owner, and
+    /// an error if the connection is broken. While another thread reads, only the bytes that it has read so far count.
+    pub fn drain(&self, owner: Owner, command: &str) -> (Answers, Result<(), Error>) {
         let mut state = self.arrived();
-        (self.take_answers(&mut state), self.check(&state, command, Transmission::Sent))
+        let outcomes = state.exchange.take_posted_outcomes(owner);
+        (self.answers(outcomes), self.check(&state, command, Transmission::Sent))
     }
 
-    /// Waits until at most this many posted commands are outstanding, each for at most `timeout` since it was sent.
-    /// Returns their outcomes, and an error if the connection is broken.
-    pub(crate) fn wait_for_posted(&self, most: usize, timeout: Duration) -> (Answers, Result<(), Error>) {
+    /// Waits until at most this many posted commands of an owner are outstanding, each for at most `timeout` since it
+    /// was sent. Returns their outcomes, and an error if the connection is broken.
+    pub(crate) fn wait_for_posted(&self, owner: Owner, most: usize, timeout: Duration) -> (Answers, Result<(), Error>) {
         let mut state = self.state.lock();
         let mut checked = Ok(());
-        while state.exchange.posted_outstanding() > most && checked.is_ok() {
-            let Some(oldest) = state.exchange.oldest_posted() else { break };
+        while state.exchange.posted_outstanding(owner) > most && checked.is_ok() {
+            let Some(oldest) = state.exchange.oldest_posted(owner) else { break };
             let left = timeout.saturating_sub(self.clock.elapsed(oldest.sent_at));
             if left.is_zero() {
-                if let Err(out_of_sync) = state.exchange.give_up_oldest_posted(timeout) {
+                if let Err(out_of_sync) = state.exchange.give_up_oldest_posted(owner, timeout) {
                     self.break_off(&mut state, Disconnect::OutOfSync(out_of_sync));
                 }
             } else if state.broken.is_none() {
@@ -47,7 +47,7 @@ impl Link {
             }
             checked = self.check(&state, oldest.command, Transmission::Sent);
         }
-        (self.take_answers(&mut state), checked)
+        (self.answers(state.exchange.take_posted_outcomes(owner)), checked)
     }
 
     /// Number of further commands that may be posted: zero if too many requests are outstanding, including requests
@@ -71,9 +71,9 @@ impl Link {
         Ok(())
     }
 
-    /// Number of outstanding posted commands.
-    pub fn outstanding(&self) -> usize {
-        self.state.lock().exchange.posted_outstanding()
+    /// Number of outstanding posted commands of an owner.
+    pub fn outstanding(&self, owner: Owner) -> usize {
+        self.state.lock().exchange.posted_outstanding(owner)
     }
 
     /// True if no request is outstanding, including requests that were given up.
@@ -81,26 +81,25 @@ impl Link {
         self.state.lock().exchange.outstanding() == 0
     }
 
-    /// Time for which the oldest posted command has been outstanding; `None` if none is.
-    pub fn oldest_posted(&self) -> Option<Duration> {
-        self.state.lock().exchange.oldest_posted().map(|oldest| self.clock.elapsed(oldest.sent_at))
+    /// Time for which the oldest posted command of an owner has been outstanding; `None` if none is.
+    pub fn oldest_posted(&self, owner: Owner) -> Option<Duration> {
+        self.state.lock().exchange.oldest_posted(owner).map(|oldest| self.clock.elapsed(oldest.sent_at))
     }
 
-    /// Abandons all outstanding posted commands: their replies are discarded when they come. Returns the outcomes of
-    /// the others and the number of abandoned commands.
-    pub fn forget_posted(&self) -> (Answers, u64) {
+    /// Abandons all outstanding posted commands of an owner, which posts no more: their replies are discarded when they
+    /// come. Returns the outcomes of the others and the number of abandoned commands.
+    pub fn forget_posted(&self, owner: Owner) -> (Answers, u64) {
         let mut state = self.state.lock();
         // A pipeline may be dropped during a panic: then no logger must run, which may panic, too.
         let arrived = if std::thread::panicking() { Ok(()) } else { self.attribute_arrived(&mut state) };
         if let Err(cause) = arrived {
             self.break_off(&mut state, cause);
         }
-        let abandoned = state.exchange.abandon_posted();
-        (self.take_answers(&mut state), abandoned)
+        let (abandoned, outcomes) = state.exchange.abandon_posted(owner);
+        (self.answers(outcomes), abandoned)
     }
 
-    fn take_answers(&self, state: &mut LinkState) -> Answers {
-        let outcomes = state.exchange.take_posted_outcomes();
+    fn answers(&self, outcomes: PostedOutcomes) -> Answers {
         let errors = outcomes.failed.into_iter().map(|(command, failure)| self.attach(failed(command, failure)));
         Answers { accepted: outcomes.accepted, failed: errors.collect() }
     }

@@ -5,12 +5,17 @@ use std::sync::Arc;
 
 use jaka_clock::Socket;
 use jaka_proto::Request;
-use jaka_proto::exchange::Exchange;
+use jaka_proto::exchange::{Exchange, Owner};
 
 use super::Link;
 use super::halves::{Inbound, Outbound};
 use super::outgoing::{Handle, Outgoing};
+use super::stops::Stops;
 use crate::Disconnect;
+
+/// Greatest number of outstanding requests beside a session, of all others together. What is queued in a controller
+/// delays set-points and stops.
+const MOST_BESIDE: usize = 8;
 
 #[derive(Debug)]
 pub(super) struct LinkState {
@@ -27,7 +32,7 @@ pub(super) struct LinkState {
     pub(super) broken: Option<Arc<Disconnect>>,
     /// Number of sent commands that change the frames or the tool to which poses refer.
     pub(super) frame_changes: u64,
-    /// The last number of a handle.
+    /// The last number of a handle, or of another owner.
     pub(super) last_number: u64,
     /// Number of commands that may have changed something, of all handles and of each.
     pub(super) changes: u64,
@@ -62,6 +67,16 @@ impl LinkState {
         self.last_number
     }
 
+    /// Number of these commands that may be entered now: a stop always, and beside a session, of all others together at
+    /// most [`MOST_BESIDE`].
+    pub(super) fn room(&self, outgoing: &Outgoing<'_>, stops: &Stops) -> usize {
+        let leads = match stops.leaders() {
+            Some(leads) if !outgoing.is_stop() && !leads.contains(&outgoing.owner) => leads,
+            Some(_) | None => return usize::MAX,
+        };
+        MOST_BESIDE.saturating_sub(self.exchange.outstanding_of(|owner| !leads.contains(&owner)))
+    }
+
     /// Counts an entered command, unless it is a query.
     pub(super) fn count_change(&mut self, outgoing: &Outgoing<'_>) {
         if !outgoing.is_query() {
@@ -72,6 +87,11 @@ impl LinkState {
 }
 
 impl Link {
+    /// Creates an owner of posted commands. [`forget_posted`](Self::forget_posted) ends its use.
+    pub fn new_owner(&self) -> Owner {
+        Owner(self.state.lock().next_number())
+    }
+
     /// Creates another handle of the connection.
     pub(crate) fn new_handle(&self) -> Handle {
         Handle(self.state.lock().next_number())

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use jaka_clock::Clock;
 use jaka_proto::Role;
-use jaka_proto::exchange::RequestId;
+use jaka_proto::exchange::{Owner, RequestId};
 #[cfg(all(test, shuttle))]
 use shuttle::thread::{self, ThreadId};
 
@@ -92,6 +92,8 @@ struct Rest {
 struct Lead {
     number: u64,
     by: Handle,
+    /// Owner of its set-points.
+    owner: Owner,
     /// The latest stop before it.
     stops: u64,
     /// Time until which its next set-point goes out, and the thread that sends it; `None` if it does not move the arm.
@@ -255,6 +257,11 @@ impl Stops {
         }
     }
 
+    /// Owners of the requests of the session that leads the arm: its handle, and that of its set-points.
+    pub(super) fn leaders(&self) -> Option<[Owner; 2]> {
+        self.state.lock().leading().map(|lead| [lead.by.owner(), lead.owner])
+    }
+
     /// True while a session sends set-points that move the arm.
     pub(crate) fn is_led(&self) -> bool {
         self.state.lock().lead.as_ref().is_some_and(|lead| lead.set_point.is_some())
@@ -370,7 +377,7 @@ impl Stops {
     }
 
     /// Begins the lead of a session by this handle. Other handles send only what passes beside it, from here on.
-    pub(super) fn lead(self: &Arc<Self>, by: Handle) -> Result<Leading, Kept> {
+    pub(super) fn lead(self: &Arc<Self>, by: Handle, owner: Owner) -> Result<Leading, Kept> {
         let mut state = self.state.lock();
         if state.latch.is_held() {
             return Err(Kept::Stopped);
@@ -383,7 +390,7 @@ impl Stops {
         }
         state.last_lead += 1;
         let (number, stops) = (state.last_lead, state.latch.begun);
-        state.lead = Some(Lead { number, by, stops, set_point: None, has_moved: false, is_over: false });
+        state.lead = Some(Lead { number, by, owner, stops, set_point: None, has_moved: false, is_over: false });
         drop(state);
         Ok(Leading { stops: Arc::clone(self), number })
     }

@@ -9,6 +9,7 @@ use std::thread;
 use std::time::Instant;
 
 use jaka_proto::Effect;
+use jaka_proto::exchange::Owner;
 use jaka_proto::wire::Writer;
 use socket2::SockRef;
 
@@ -49,12 +50,15 @@ fn connection(mode: Mode) -> (Link, TcpStream) {
 /// A command that the spec does not have.
 static X: CommandInfo = CommandInfo::usual("x", "", "", Effect::Motion);
 
+/// Owner of the posted commands.
+const OWNER: Owner = Owner(1);
+
 /// Posts this many commands.
 fn post(link: &Link, timeout: Duration, count: usize) -> Result<usize, Error> {
     let (mut sent, mut outstanding) = (0, 0);
     while sent < count {
-        let posting = link
-            .post((&X, None, Handle::FIRST), timeout, None, count - sent, &mut |index, out| write(sent + index, out))?;
+        let outgoing = Outgoing::of(&link.clock, &X, timeout).posted_for(OWNER);
+        let posting = link.transmit(&outgoing, OPEN, count - sent, &mut |index, out| write(sent + index, out))?;
         (sent, outstanding) = (sent + posting.sent, posting.outstanding);
     }
     Ok(outstanding)
@@ -77,7 +81,7 @@ fn until(mut holds: impl FnMut() -> bool) {
 /// Numbers of outstanding requests, and of posted ones among them.
 fn outstanding(link: &Link) -> (usize, usize) {
     let state = link.state.lock();
-    (state.exchange.outstanding(), state.exchange.posted_outstanding())
+    (state.exchange.outstanding(), state.exchange.posted_outstanding(OWNER))
 }
 
 /// Sends a command.

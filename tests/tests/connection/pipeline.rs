@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use jaka_sim::{Controller, Fault, SimulatedClock};
 use jaka_sync::io::SetDigitalOutput;
+use jaka_sync::layer::ClientParts as _;
 use jaka_sync::program::SetRapidRate;
 use jaka_sync::servo::ServoJ;
 use jaka_sync::types::Switch;
@@ -259,4 +260,65 @@ fn no_more_than_256_commands_are_outstanding_so_that_a_stop_is_of_use() {
     let error = client.pipeline(8).send(&outputs[0]).expect_err("nobody answers");
     assert!(matches!(error.kind(), ErrorKind::NotSentInTime { .. }), "{error:?}");
     assert!(error.is_timeout() && !error.may_have_run() && !error.is_disconnected());
+}
+
+#[test]
+fn pipelines_of_two_handles_have_their_own_counts_and_errors() {
+    let (controller, mut client) = connected();
+    let mut other = client.try_clone().expect("the connection is there");
+    let (mut refused, mut accepted) = (client.pipeline(8), other.pipeline(8));
+    refused.send(&set_point()).expect("it is not known yet");
+    accepted.send_all(&[output(1), output(2), output(3)]).expect("it is not known yet");
+    assert_eq!((refused.outstanding(), accepted.outstanding()), (1, 3));
+    refused.send(&output(4)).expect("it is not known yet");
+    assert_eq!(accepted.finish().expect("its outputs are accepted"), 3);
+    assert_eq!(refused.outstanding(), 2);
+    let error = refused.finish().expect_err("its set-point is refused");
+    assert_eq!(error.refusal().expect("the controller refuses").command, "servo_j");
+    assert_usable(&controller, &mut client);
+}
+
+#[test]
+fn a_dropped_pipeline_gives_up_its_own_replies_alone() {
+    let (controller, mut client) = connected();
+    let mut other = client.try_clone().expect("the connection is there");
+    let mut kept = client.pipeline(8);
+    controller.inject(Fault::WithNext);
+    kept.send(&output(1)).expect("it is not known yet");
+    let mut dropped = other.pipeline(8);
+    controller.inject(Fault::WithNext);
+    dropped.send(&output(2)).expect("it is not known yet");
+    drop(dropped);
+    kept.send(&output(3)).expect("it is not known yet");
+    assert_eq!(kept.outstanding(), 2);
+    assert_eq!(kept.finish().expect("nothing was refused"), 2);
+    assert_usable(&controller, &mut client);
+}
+
+#[test]
+fn beside_a_reservation_eight_commands_of_others_are_outstanding_and_stops_pass() {
+    // Of somebody who answers nothing.
+    let clock = SimulatedClock::new();
+    let config = Config::new().clock(&clock).reply_timeout(SHORT);
+    let (_server, client) = ClockedSocket::accepted(&clock, |address| Client::connect_with(&config, address));
+    let link = client.link();
+    let session = link.new_owner();
+    let lead = link.lead(client.handle(), session).expect("nothing keeps it back");
+    let [mut other, mut third] = [(); 2].map(|()| client.try_clone().expect("the connection is there"));
+    let outputs: Vec<_> = (0..100).map(|number| output(number % 8)).collect();
+    let mut pipeline = other.pipeline(256);
+    let began = clock.elapsed();
+    let error = pipeline.send_all(&outputs).expect_err("nobody answers");
+    assert!(matches!(error.kind(), ErrorKind::NotSentInTime { .. }), "{error:?}");
+    assert_eq!((pipeline.sent(), clock.elapsed().saturating_sub(began)), (8, SHORT));
+    let error = third.set_digital_output(&output(1)).expect_err("nobody answers");
+    assert!(matches!(error.kind(), ErrorKind::NotSentInTime { .. }) && !error.may_have_run(), "{error:?}");
+    // What leads the arm is not counted, and no stop waits.
+    assert_eq!(client.post(session, None::<&dyn Fn() -> Result<(), ErrorKind>>, &outputs).expect("it has room"), 100);
+    for stopped in [third.stop_program(), client.stop_handle().stop()] {
+        let error = stopped.expect_err("nobody answers");
+        assert!(matches!(error.kind(), ErrorKind::Timeout { .. }), "{error:?}");
+    }
+    drop(lead);
+    pipeline.send_all(&outputs).expect("there is room without it");
 }

@@ -2,10 +2,12 @@
 
 use std::time::{Duration, Instant};
 
-use jaka_sync::proto::exchange::{Delivery, Exchange, Failure, OutOfSync, RequestId, TextOnly, Waiter};
+use jaka_sync::proto::exchange::{
+    Delivery, Exchange, Failure, OutOfSync, Owner, PostedOutcomes, RequestId, TextOnly, Waiter,
+};
 use proptest::prelude::*;
 
-use crate::model::{Got, Model, NAMES, Recipient, TUPLE};
+use crate::model::{Got, Model, NAMES, OWNERS, Recipient, TUPLE};
 use crate::server::{Form, Message, Move, Server, any_move, number_in};
 
 /// Liberties of a run other than sending, posting, answering late, losing replies, giving up and abandoning.
@@ -22,7 +24,8 @@ pub(crate) enum Premise {
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Step {
     Send(usize),
-    Post(usize),
+    /// One of the owners posts a request.
+    Post(usize, usize),
     /// The newest request did not go out.
     Withdraw,
     Server(Move),
@@ -30,23 +33,23 @@ pub(crate) enum Step {
     Ask(usize),
     /// The deadline of one of the requests that are waited for passes.
     GiveUp(usize),
-    GiveUpPosted,
+    GiveUpPosted(usize),
     /// A reply is not wanted any more, though there was time for it.
     Abandon(usize),
-    AbandonPosted,
+    AbandonPosted(usize),
 }
 
 pub(crate) fn any_step() -> impl Strategy<Value = Step> {
-    (0u8..64, 0..NAMES.len(), any_move()).prop_map(|(kind, which, next)| match kind {
+    (0u8..64, 0..NAMES.len(), 0..OWNERS, any_move()).prop_map(|(kind, which, owner, next)| match kind {
         0..=15 => Step::Send(which),
-        16..=20 => Step::Post(which),
+        16..=20 => Step::Post(which, owner),
         21 => Step::Withdraw,
         22..=45 => Step::Server(next),
         46..=50 => Step::Ask(which),
         51..=56 => Step::GiveUp(which),
-        57..=58 => Step::GiveUpPosted,
+        57..=58 => Step::GiveUpPosted(owner),
         59..=62 => Step::Abandon(which),
-        _ => Step::AbandonPosted,
+        _ => Step::AbandonPosted(owner),
     })
 }
 
@@ -73,7 +76,7 @@ impl Run {
     fn take(&mut self, step: Step) -> Result<(), OutOfSync> {
         match step {
             Step::Send(name) => self.send(NAMES[name], Recipient::Waiter),
-            Step::Post(name) => self.send(NAMES[name], Recipient::Count),
+            Step::Post(name, owner) => self.send(NAMES[name], Recipient::Count(owner)),
             Step::Withdraw => self.withdraw()?,
             Step::Server(next) => self.answer(next)?,
             Step::Ask(which) => {
@@ -82,9 +85,9 @@ impl Run {
                 }
             }
             Step::GiveUp(which) => self.give_up(which)?,
-            Step::GiveUpPosted => {
-                let given_up = self.exchange.give_up_oldest_posted(Duration::ZERO);
-                let place = self.model.places(Recipient::Count).next();
+            Step::GiveUpPosted(owner) => {
+                let given_up = self.exchange.give_up_oldest_posted(owned(owner), Duration::ZERO);
+                let place = self.model.places(Recipient::Count(owner)).next();
                 both(&given_up, place.map_or(Ok(()), |place| self.model.give_up(place)))?;
             }
             Step::Abandon(which) => {
@@ -94,7 +97,11 @@ impl Run {
                     self.ask(number);
                 }
             }
-            Step::AbandonPosted => assert_eq!(self.exchange.abandon_posted(), self.model.abandon_posted()),
+            Step::AbandonPosted(owner) => {
+                let (count, outcomes) = self.exchange.abandon_posted(owned(owner));
+                assert_eq!(count, self.model.abandon_posted(owner));
+                assert_eq!(outcomes_of(outcomes), self.model.take_posted(owner));
+            }
         }
         self.compare();
         Ok(())
@@ -109,8 +116,8 @@ impl Run {
             return;
         }
         self.ids.push(match recipient {
-            Recipient::Count => self.exchange.post(name, self.now),
-            _ => self.exchange.send(name.into()),
+            Recipient::Count(owner) => self.exchange.post(owned(owner), name, self.now),
+            _ => self.exchange.send(CALLER, name.into()),
         });
         let number = self.server.receive(name);
         self.model.send(number, name, recipient);
@@ -157,7 +164,7 @@ impl Run {
             let delivery = match recipient {
                 Recipient::Waiter if reader == Some(number) => Delivery::Waiter,
                 Recipient::Waiter => Delivery::Pending,
-                Recipient::Count => Delivery::Counted,
+                Recipient::Count(_) => Delivery::Counted,
                 Recipient::Nobody => Delivery::Discarded,
             };
             (self.id(number), delivery)
@@ -197,9 +204,15 @@ impl Run {
 
     fn compare(&self) {
         assert_eq!(self.exchange.outstanding(), self.model.outstanding.len());
-        assert_eq!(self.exchange.posted_outstanding(), self.model.places(Recipient::Count).count());
-        let oldest = self.exchange.oldest_posted().map(|oldest| (oldest.id, oldest.command));
-        assert_eq!(oldest, self.model.oldest_posted().map(|oldest| (self.id(oldest.number), oldest.name)));
+        for owner in 0..OWNERS {
+            let posted = self.exchange.posted_outstanding(owned(owner));
+            assert_eq!(posted, self.model.places(Recipient::Count(owner)).count());
+            let oldest = self.exchange.oldest_posted(owned(owner)).map(|oldest| (oldest.id, oldest.command));
+            assert_eq!(oldest, self.model.oldest_posted(owner).map(|oldest| (self.id(oldest.number), oldest.name)));
+        }
+        // Each request is one of the caller's or of another owner.
+        let of_others = self.exchange.outstanding_of(|owner| owner != CALLER);
+        assert_eq!(self.exchange.outstanding_of(|owner| owner == CALLER) + of_others, self.model.outstanding.len());
     }
 
     /// All that is on its way comes; then all waiters ask, the last one first.
@@ -214,10 +227,23 @@ impl Run {
         for number in (1..=self.ids.len()).rev() {
             self.ask(u32::try_from(number).expect("a run is short"));
         }
-        let outcomes = self.exchange.take_posted_outcomes();
-        let failed = outcomes.failed.into_iter().map(|(name, failure)| (name, outcome_of(Err(failure), "")));
-        assert_eq!((outcomes.accepted, failed.collect()), self.model.take_posted());
+        for owner in 0..OWNERS {
+            let outcomes = self.exchange.take_posted_outcomes(owned(owner));
+            assert_eq!(outcomes_of(outcomes), self.model.take_posted(owner));
+        }
     }
+}
+
+/// Owner of the requests that are waited for.
+const CALLER: Owner = Owner(OWNERS as u64);
+
+fn owned(owner: usize) -> Owner {
+    Owner(owner as u64)
+}
+
+fn outcomes_of(outcomes: PostedOutcomes) -> (u64, Vec<(&'static str, Got)>) {
+    let failed = outcomes.failed.into_iter().map(|(name, failure)| (name, outcome_of(Err(failure), "")));
+    (outcomes.accepted, failed.collect())
 }
 
 fn outcome_of(outcome: Result<(), Failure>, text: &str) -> Got {

@@ -20,6 +20,9 @@ pub(crate) type Actor = usize;
 pub(crate) const CLIENT: Actor = 0;
 const STOPS: [Actor; 2] = [1, 2];
 
+/// Recipient of the replies to a pipeline's commands.
+const PIPELINE: Recipient = Recipient::Count(0);
+
 /// Time that goes on after a step: then all has happened that the step leads to.
 const MOMENT: Duration = Duration::from_nanos(2);
 
@@ -117,7 +120,7 @@ impl Connection {
     }
 
     fn post(&mut self, number: u32, name: &'static str, deadline: Instant) {
-        self.exchange.send(number, name, Recipient::Count);
+        self.exchange.send(number, name, PIPELINE);
         self.posted.push((number, deadline));
     }
 
@@ -139,8 +142,8 @@ impl Connection {
             self.read_once();
             self.attribute_read();
         }
-        self.exchange.abandon_posted();
-        self.exchange.take_posted();
+        self.exchange.abandon_posted(0);
+        self.exchange.take_posted(0);
     }
 
     fn write(&mut self, messages: &[Message]) {
@@ -149,7 +152,7 @@ impl Connection {
     }
 
     fn oldest_posted(&self) -> Option<Instant> {
-        let oldest = self.exchange.oldest_posted()?;
+        let oldest = self.exchange.oldest_posted(0)?;
         self.posted.iter().find(|(number, _)| *number == oldest.number).map(|(_, deadline)| *deadline)
     }
 
@@ -170,7 +173,7 @@ impl Connection {
     /// It is this time: those whose deadlines have passed give up.
     fn pass(&mut self, now: Instant) {
         while self.is_finishing && self.oldest_posted().is_some_and(|deadline| deadline <= now) {
-            let oldest = self.exchange.places(Recipient::Count).next();
+            let oldest = self.exchange.places(PIPELINE).next();
             self.give_up(oldest);
             if self.is_broken {
                 break;
@@ -251,7 +254,7 @@ impl Connection {
 
     fn end_finishing(&mut self, failure: Option<End>) {
         self.is_finishing = false;
-        let (accepted, failed) = self.exchange.take_posted();
+        let (accepted, failed) = self.exchange.take_posted(0);
         let first = failed.first().map(|(_, got)| End::Got(*got));
         self.ended.push((CLIENT, first.or(failure).unwrap_or(End::Finished(accepted))));
         self.drop_pipeline();

@@ -21,13 +21,16 @@ pub(crate) const TUPLE: &str = "get_extio_status";
 /// Names of commands. Few, so that equal ones meet.
 pub(crate) const NAMES: [&str; 4] = ["query", PAUSE, STOP, TUPLE];
 
+/// Number of owners that post.
+pub(crate) const OWNERS: usize = 2;
+
 /// Recipient of a reply.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Recipient {
     /// The thread that waits for it.
     Waiter,
-    /// The count of posted requests.
-    Count,
+    /// The count of posted requests of an owner.
+    Count(usize),
     /// None: the request was given up or abandoned.
     Nobody,
 }
@@ -58,9 +61,9 @@ pub(crate) struct Model {
     pub(crate) outstanding: Vec<Request>,
     /// Outcomes that waiters have not taken.
     pub(crate) outcomes: Vec<(u32, Got)>,
-    /// Outcomes of posted requests since they were last taken.
-    accepted: u64,
-    failed: Vec<(&'static str, Got)>,
+    /// Outcomes of the posted requests of each owner, since they were last taken: how many were accepted, and the
+    /// others.
+    posted: [(u64, Vec<(&'static str, Got)>); OWNERS],
     /// Requests whose own replies have neither come nor been lost.
     on_their_way: HashSet<u32>,
     /// Requests whose own replies have come.
@@ -86,9 +89,9 @@ impl Model {
         self.outstanding.iter().any(|request| request.name == name && request.recipient != Recipient::Nobody)
     }
 
-    /// The oldest posted request that is outstanding.
-    pub(crate) fn oldest_posted(&self) -> Option<Request> {
-        self.places(Recipient::Count).next().map(|place| self.outstanding[place])
+    /// The oldest posted request of an owner that is outstanding.
+    pub(crate) fn oldest_posted(&self, owner: usize) -> Option<Request> {
+        self.places(Recipient::Count(owner)).next().map(|place| self.outstanding[place])
     }
 
     /// A request goes out.
@@ -187,9 +190,9 @@ impl Model {
         }
     }
 
-    /// Abandons the posted requests that are outstanding, and says how many those were.
-    pub(crate) fn abandon_posted(&mut self) -> u64 {
-        let posted: Vec<_> = self.places(Recipient::Count).map(|place| self.outstanding[place].number).collect();
+    /// Abandons the posted requests of an owner that are outstanding, and says how many those were.
+    pub(crate) fn abandon_posted(&mut self, owner: usize) -> u64 {
+        let posted: Vec<_> = self.places(Recipient::Count(owner)).map(|place| self.outstanding[place].number).collect();
         for number in &posted {
             self.abandon(*number);
         }
@@ -202,9 +205,9 @@ impl Model {
         Some(self.outcomes.remove(place).1)
     }
 
-    /// Takes the outcomes of posted requests: how many were accepted, and the others.
-    pub(crate) fn take_posted(&mut self) -> (u64, Vec<(&'static str, Got)>) {
-        (std::mem::take(&mut self.accepted), std::mem::take(&mut self.failed))
+    /// Takes the outcomes of the posted requests of an owner.
+    pub(crate) fn take_posted(&mut self, owner: usize) -> (u64, Vec<(&'static str, Got)>) {
+        std::mem::take(&mut self.posted[owner])
     }
 
     /// All that was on its way has come: nobody waits without a reason.
@@ -218,8 +221,8 @@ impl Model {
     fn end(&mut self, request: Request, got: Got) {
         match (request.recipient, got) {
             (Recipient::Waiter, got) => self.outcomes.push((request.number, got)),
-            (Recipient::Count, Got::Accepted(_)) => self.accepted += 1,
-            (Recipient::Count, got) => self.failed.push((request.name, got)),
+            (Recipient::Count(owner), Got::Accepted(_)) => self.posted[owner].0 += 1,
+            (Recipient::Count(owner), got) => self.posted[owner].1.push((request.name, got)),
             (Recipient::Nobody, _) => {}
         }
     }

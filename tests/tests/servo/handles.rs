@@ -1,5 +1,7 @@
 //! Other handles of a connection, while a session, a stream or a trajectory leads the arm and otherwise.
 
+use std::time::Duration;
+
 use jaka_proto::Command;
 use jaka_robot::io::{DigitalOutputKind, SetDigitalOutput};
 use jaka_robot::motion::JointMove;
@@ -10,6 +12,7 @@ use jaka_robot::types::Switch;
 use jaka_robot::{
     Client, ErrorKind, FollowConfig, Robot, RobotConfig, ServoConfig, StreamConfig, Unchecked, jaka_sync,
 };
+use jaka_sim::{Fault, Port};
 use jaka_tests::{Arm, Configured as _, LONG};
 use serde_json::json;
 
@@ -180,4 +183,58 @@ fn a_robot_of_another_handle_leads_the_arm_as_the_first_one_does() {
     robot.start(&turn()).expect("within the limits");
     robot.start(&turn()).expect("its own motions are known");
     robot.wait(LONG).at_rest().expect("they end");
+}
+
+/// Replies are 30 ms on their way, so that all outputs are outstanding at once if they go out at once.
+#[test]
+fn outputs_of_another_handles_pipeline_end_no_stream_at_speed_and_no_command_goes_out_late() {
+    let (arm, mut robot, mut other) = ready();
+    let stream = robot.stream(&StreamConfig::new()).expect("the arm rests");
+    stream::speed_up(&stream.handle(), arm.clock());
+    arm.link(Port::Command).to_client().delay(Duration::from_millis(30));
+    let mut pipeline = other.pipeline(256);
+    pipeline.send_all(&vec![output(); 200]).expect("outputs pass");
+    assert_eq!(pipeline.finish().expect("all are accepted"), 200);
+    assert!(other.call(&PowerOff::new()).is_err_and(|error| is_kept_back(&error)));
+    let end = stream.land().expect("nothing is wrong");
+    assert_eq!((end.report.gaps, end.report.refused, end.report.unanswered), (0, 0, 0), "{end:?}");
+    assert_eq!(end.report.accepted, end.report.cycles + end.report.landing_cycles, "{end:?}");
+    assert!(!names(&arm).iter().any(|name| *name == PowerOff::INFO.name) && arm.state().powered);
+    end.at_rest().expect("it rests");
+}
+
+fn refusal(command: &str) -> Fault {
+    let text = format!(r#"{{"errorCode": "2", "errorMsg": "call {command} failed", "cmdName": "{command}"}}"#);
+    Fault::Instead(text.into_bytes())
+}
+
+#[test]
+fn a_refusal_of_a_set_point_is_told_to_the_session_and_to_no_pipeline() {
+    let (arm, mut robot, mut other) = ready();
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm rests");
+    arm.inject_for("servo_j", refusal("servo_j"));
+    session.send_joint_offset([0.0; 6]).expect("its reply has not been read");
+    let mut pipeline = other.pipeline(8);
+    pipeline.send(&output()).expect("an output passes");
+    assert_eq!(pipeline.finish().expect("the output is accepted"), 1);
+    let error = session.send_joint_offset([0.0; 6]).expect_err("a set-point was refused");
+    assert!(error.is_refused(), "{error:?}");
+    assert_eq!(session.report().refused, 1);
+}
+
+#[test]
+fn a_refused_output_of_a_pipeline_ends_no_stream_and_is_told_to_its_sender() {
+    let (arm, mut robot, mut other) = ready();
+    let stream = robot.stream(&StreamConfig::new()).expect("the arm rests");
+    stream::speed_up(&stream.handle(), arm.clock());
+    arm.inject_for(SetDigitalOutput::INFO.name, refusal(SetDigitalOutput::INFO.name));
+    let mut pipeline = other.pipeline(8);
+    pipeline.send_all(&[output(), output()]).expect("outputs pass");
+    // The thread of the stream reads both replies.
+    arm.clock().sleep(Duration::from_millis(100));
+    let error = pipeline.finish().expect_err("the first one is refused");
+    assert_eq!(error.refusal().expect("the controller refuses").command, SetDigitalOutput::INFO.name);
+    let end = stream.land().expect("nothing is wrong");
+    assert_eq!((end.report.refused, end.report.unanswered), (0, 0), "{end:?}");
+    end.at_rest().expect("it rests");
 }

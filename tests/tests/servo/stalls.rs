@@ -355,6 +355,32 @@ fn set_points_do_not_accumulate_on_a_link_that_is_held() {
     assert!(moves_on(&arm, Duration::from_secs(1)) <= 12.0 * STEP + 0.01);
 }
 
+/// The stall lasts 2.5 s. The witness is the arm: it has only the set-points of the first 100 ms of it to follow.
+#[test]
+fn pipelines_of_another_handle_hide_no_stall() {
+    const STEP: f64 = 0.04;
+    let (arm, mut robot) = ready();
+    let mut other = robot.client().try_clone().expect("the connection is there");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is at rest");
+    let step = |session: &mut jaka_robot::ServoSession<'_>| session.send_joint_offset([STEP, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    for _ in 0..20 {
+        step(&mut session).expect("answers come");
+    }
+    arm.link(Port::Command).hold();
+    let clock = arm.clock();
+    let pipelines = || {
+        for _ in 0..125 {
+            drop(other.pipeline(1));
+            clock.sleep(Duration::from_millis(20));
+        }
+        arm.link(Port::Command).release();
+    };
+    let mut go = || (0..2000).find_map(|_| step(&mut session).err());
+    let error = beside(clock, pipelines, &mut go).expect("nothing is answered for a while");
+    assert!(matches!(error.kind(), ErrorKind::ServoModeNotLeft { .. }) && error.is_disconnected(), "{error:?}");
+    assert!(moves_on(&arm, Duration::from_secs(1)) <= 12.0 * STEP + 0.01);
+}
+
 #[test]
 fn a_link_that_stalls_for_a_moment_ends_the_session_and_leaves_servo_mode() {
     let (arm, mut robot) = ready();

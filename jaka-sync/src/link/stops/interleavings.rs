@@ -81,7 +81,7 @@ fn later() -> Instant {
 fn stops_that_wait_go_out_once_the_session_has_braked() {
     check(|| {
         let (stops, has_braked) = (with_robot(), Arc::new(Fact::default()));
-        let lead = stops.lead(Handle::FIRST).expect("nothing keeps it back");
+        let lead = stops.lead(Handle::FIRST, Owner(1)).expect("nothing keeps it back");
         lead.expect_set_point(Some(later()));
         let waiting = [(); 2].map(|()| {
             let has_braked = Arc::clone(&has_braked);
@@ -102,7 +102,7 @@ fn stops_that_wait_go_out_once_the_session_has_braked() {
 fn the_end_of_a_lead_lets_stops_go_out() {
     check(|| {
         let stops = with_robot();
-        let lead = stops.lead(Handle::FIRST).expect("nothing keeps it back");
+        let lead = stops.lead(Handle::FIRST, Owner(1)).expect("nothing keeps it back");
         lead.expect_set_point(Some(later()));
         let waiting = with(&stops, |stops| stops.begin(StopKind::Program).wait_until_braked());
         drop(lead);
@@ -188,7 +188,7 @@ fn acknowledging_a_stop_that_is_on_its_way_lets_no_motion_pass() {
 fn one_session_leads_and_a_stop_ends_it() {
     check(|| {
         let stops = with_robot();
-        let leading = [(); 2].map(|()| with(&stops, |stops| stops.lead(Handle::FIRST)));
+        let leading = [(); 2].map(|()| with(&stops, |stops| stops.lead(Handle::FIRST, Owner(1))));
         let stopping = with(&stops, |stops| stops.begin(StopKind::OfMotion).wait_until_braked());
         let leads = leading.map(join);
         join(stopping);

@@ -62,7 +62,7 @@ fn a_panic_over_the_reply_to_another_thread_does_not_take_it_away() {
     assert_eq!(text, reply("a", 0, "1"));
     link.wait(&second, &mut text, &mut TextOnly).expect("the panic was over another reply");
     server.write_all(reply("x", 0, "").as_bytes()).expect("the link reads");
-    assert_eq!(link.wait_for_posted(0, LONG).0.accepted, 1);
+    assert_eq!(link.wait_for_posted(OWNER, 0, LONG).0.accepted, 1);
     assert_usable(&link, &mut server);
 }
 
@@ -74,7 +74,8 @@ fn a_panic_while_a_request_is_written_sends_nothing_and_leaves_the_turn_to_the_o
         0 => out.raw("{\"cmdName\":\"x\"}"),
         _ => panic!("as the test wants"),
     };
-    assert!(panics(|| link.post((&X, None, Handle::FIRST), LONG, OPEN, 3, second_panics)));
+    let posted = Outgoing::of(&link.clock, &X, LONG).posted_for(OWNER);
+    assert!(panics(|| link.transmit(&posted, OPEN, 3, second_panics)));
     let gate: Gate<'_, Error> = Some(&|| panic!("as the test wants"));
     assert!(panics(|| link.send_through(
         &Outgoing::named(&link.clock, "a", Cow::Borrowed("a"), LONG),

@@ -10,7 +10,8 @@ use jaka_proto::messages::program::StopProgram;
 use super::*;
 
 fn ask(link: &Link) -> Sent<'static> {
-    link.ask(Handle::FIRST, GetJointPos::INFO, &mut |out| GetJointPos::new().write_request(out)).expect("it goes out")
+    link.ask((GetJointPos::INFO, None, Handle::FIRST), &mut |out| GetJointPos::new().write_request(out))
+        .expect("it goes out")
 }
 
 /// Polls as a loop does that looks at other things between.
@@ -80,15 +81,15 @@ fn a_question_is_answered_by_any_thread_that_reads_and_stops_pass_it() {
 fn the_oldest_posted_command_is_reported_by_its_age() {
     let (stream, mut server) = sockets(1 << 20);
     let link = Link::new(stream, Tap::default(), &Config::new().reply_timeout(LONG));
-    assert_eq!(link.oldest_posted(), None);
+    assert_eq!(link.oldest_posted(OWNER), None);
     let before = Instant::now();
     for _ in 0..2 {
         post(&link, LONG, 1).expect("it goes out");
     }
-    let age = link.oldest_posted().expect("it is outstanding");
+    let age = link.oldest_posted(OWNER).expect("it is outstanding");
     assert!(age <= before.elapsed());
     server.write_all([reply("x", 0, ""), reply("x", 0, "")].concat().as_bytes()).expect("the link reads");
-    let (answers, waited) = link.wait_for_posted(0, LONG);
+    let (answers, waited) = link.wait_for_posted(OWNER, 0, LONG);
     waited.expect("both are answered");
-    assert_eq!((answers.accepted, link.oldest_posted()), (2, None));
+    assert_eq!((answers.accepted, link.oldest_posted(OWNER)), (2, None));
 }

@@ -104,7 +104,7 @@ fn a_reset_discards_what_is_queued_while_a_thread_writes() {
     // yet, and this proves less.
     let mut last = (0, Instant::now());
     until(|| {
-        let outstanding = link.outstanding();
+        let outstanding = link.outstanding(OWNER);
         if outstanding != last.0 {
             last = (outstanding, Instant::now());
         }
