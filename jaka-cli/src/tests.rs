@@ -7,6 +7,7 @@ mod document;
 mod files;
 mod follow;
 mod motions;
+mod numbers;
 mod probe;
 mod status;
 
