@@ -155,7 +155,7 @@ pub fn report() -> String {
             let since = Instant::now();
             let trajectory = points.trajectory(&checker).expect("within the limits");
             duration_s = trajectory.duration_s();
-            std::hint::black_box(Follower::new(trajectory, &checker, PERIOD));
+            std::hint::black_box(Follower::new(trajectory, &checker, PERIOD).expect("a period of servo mode"));
             since.elapsed().as_secs_f64() * 1e3
         };
         let mut times: Vec<f64> = (0..RUNS).map(time).collect();

@@ -55,7 +55,7 @@ pub fn report() -> String {
     let _ = writeln!(out, "  made and compared with the limits {made_ms:6.1} ms");
     let since = Instant::now();
     let is_within = trajectory.check(&checker).is_ok();
-    let mut follower = Follower::new(trajectory, &checker, PERIOD);
+    let mut follower = Follower::new(trajectory, &checker, PERIOD).expect("a period of servo mode");
     let began_ms = since.elapsed().as_secs_f64() * 1e3;
     let met = if is_within && began_ms <= TARGET_MS { "met" } else { "MISSED" };
     let _ = writeln!(

@@ -4,8 +4,10 @@ mod beyond;
 mod causes;
 mod check;
 mod document;
+mod files;
 mod follow;
 mod motions;
+mod numbers;
 mod probe;
 mod status;
 

@@ -155,7 +155,7 @@ fn what_is_wrong_with_a_file_is_told_at_its_place() {
     for (words, said) in [
         (vec!["follow", &*fast, "--dry-run"], "give --model or --limits"),
         (vec!["follow", "way.txt", "--model", "zu5"], "cannot read way.txt"),
-        (vec!["follow", &*fast, "--model", "zu5", "--scale", "1.5"], "not a number above 0, up to 1"),
+        (vec!["follow", &*fast, "--model", "zu5", "--scale", "1.5"], "not a number from 0.001 to 1"),
     ] {
         let run = jaka(words);
         assert!(run.code == Some(2) && run.err.contains(said), "{}", run.text());

@@ -377,10 +377,10 @@ fn what_is_wrong_on_the_line_is_told() {
     "]]
     .assert_eq(&text("jog 7 5 --speed 10 --sim"));
     expect![[r#"
-        error: `joint_move` was not sent: field `speed` is 0, allowed is more than 0, at most 265 deg/s
+        error: `joint_move` was not sent: field `speed` is 100000, allowed is more than 0, at most 265 deg/s
         exit code 2
     "#]]
-    .assert_eq(&text("jog 1 5 --speed 0 --sim"));
+    .assert_eq(&text("jog 1 5 --speed 100000 --sim"));
 }
 
 #[cfg(unix)]

@@ -7,7 +7,7 @@ use jaka_proto::messages::types::JointPosition;
 pub use self::overtravel::Overtravel;
 use self::overtravel::Travel;
 use crate::checker::Checker;
-use crate::trajectory::{RateChange, Trajectory};
+use crate::trajectory::{RateChange, Trajectory, TrajectoryError};
 
 /// Makes one set-point a period along a [`Trajectory`]. It can pause, slow down, continue and stop on the curve at any
 /// time.
@@ -78,6 +78,8 @@ pub struct Stopping {
     periods: u32,
 }
 
+/// Permitted periods of set-points, in seconds.
+pub(crate) const PERIODS: std::ops::RangeInclusive<f64> = 0.001..=1.0;
 /// Time in which the change of the rate reaches the value that the curve allows, in seconds.
 const CHANGE_REACHED_S: f64 = 0.1;
 /// Number of halvings of a change of the rate that is too much for a joint.
@@ -90,10 +92,17 @@ impl Follower {
     /// scale 1.
     ///
     /// It compares accelerations with those of the checker's limits.
-    pub fn new(trajectory: Trajectory, checker: &Checker, period_s: f64) -> Self {
+    ///
+    /// # Errors
+    /// The period is not from 1 ms to 1 s.
+    pub fn new(trajectory: Trajectory, checker: &Checker, period_s: f64) -> Result<Self, TrajectoryError> {
+        if !PERIODS.contains(&period_s) {
+            let expected = "from 0.001 to 1";
+            return Err(TrajectoryError::Setting { what: "period_s", given: period_s, expected });
+        }
         let state = State { time_s: 0.0, rate: 1.0, change: 0.0, joints: trajectory.start(), step: [0.0; 6] };
         let (duration_s, checker) = (trajectory.duration_s(), checker.clone());
-        Self {
+        Ok(Self {
             trajectory,
             duration_s,
             checker,
@@ -102,7 +111,7 @@ impl Follower {
             limits: ChangeLimits::Motion,
             state,
             before: state,
-        }
+        })
     }
 
     /// Sets the requested scale of the trajectory's speed, from 0 for a pause to 1. Numbers beyond that count as 0 or
@@ -195,9 +204,10 @@ impl Follower {
     /// all, the result is the contact for which that travel is the longest.
     ///
     /// It looks at each period of the trajectory, and at braking where bounds do not show that it is short enough. It
-    /// allocates a number for each period.
+    /// allocates a number for each period. Not-a-number counts as an endless delay, and as no allowed distance.
     pub fn worst_overtravel(&self, checker: &Checker, delay_s: f64, allowed_mm: f64) -> Option<Overtravel> {
-        Travel::new(self, checker, delay_s).worst(allowed_mm)
+        let delay_s = if delay_s.is_nan() { f64::INFINITY } else { delay_s };
+        Travel::new(self, checker, delay_s).worst(if allowed_mm.is_nan() { 0.0 } else { allowed_mm })
     }
 
     /// Returns the trajectory.

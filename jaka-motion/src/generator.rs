@@ -12,7 +12,8 @@ use self::plan::Plan;
 use crate::beyond::{Beyond, Exceeded};
 use crate::braking::{JointLimits, JointState, Stop, StopBound, longest_stop};
 use crate::checker::Checker;
-use crate::limits::InvalidLimit;
+use crate::follower::PERIODS;
+use crate::limits::{InvalidLimit, in_range};
 use crate::speed::TcpVelocity;
 
 /// Makes one set-point a period, towards a goal that may change with each of them.
@@ -154,8 +155,8 @@ jaka_proto::worded! {
     #[derive(Debug, Clone, PartialEq)]
     #[non_exhaustive]
     pub enum GeneratorError {
-        /// A speed, acceleration or jerk is too small, or not a number.
-        TooLittle {
+        /// A speed, acceleration or jerk is too small or too large for a computation.
+        OutOfRange {
             /// Name of the joint's quantity, for example `speed`.
             what: &'static str,
             /// Unit of the quantity.
@@ -166,7 +167,9 @@ jaka_proto::worded! {
             given: f64,
             /// Least permitted value.
             least: f64,
-        } => "{what} of joint {joint}: {given} {unit} is not at least {least} {unit}",
+            /// Largest permitted value.
+            most: f64,
+        } => "{what} of joint {joint}: {given} {unit} is not from {least} to {most:e} {unit}",
         /// A speed or an acceleration is higher than the arm's limits allow.
         BeyondLimit {
             /// Name of the joint's quantity, for example `speed`.
@@ -190,8 +193,6 @@ jaka_proto::worded! {
     }
 }
 
-/// Permitted periods, in seconds.
-const PERIODS: std::ops::RangeInclusive<f64> = 0.001..=1.0;
 /// Distance to the goal, in degrees, below which joint positions count as reached.
 const THERE: f64 = 1e-6;
 /// Greatest velocity of the tool that is scaled down, in mm/s and deg/s; a higher one means rest.
@@ -225,8 +226,9 @@ impl Generator {
     /// joint positions is still straight in joint space.
     ///
     /// # Errors
-    /// The speed is not above 0.
+    /// The speed or the distance is not from 0.001 to 1e9.
     pub fn with_tool_stop(mut self, speed_mm_s: f64, within_mm: f64) -> Result<Self, InvalidLimit> {
+        in_range("distance in which the tool centre point stops", &[within_mm])?;
         let limits = self.constraints.checker.limits().clone();
         let speed_mm_s = limits.tcp_speed().map_or(speed_mm_s, |limit| limit.min(speed_mm_s));
         self.constraints.checker = Checker::new(limits.with_tcp_speed(speed_mm_s)?, *self.constraints.checker.frames());
@@ -414,7 +416,7 @@ impl std::error::Error for GeneratorError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Start(beyond) => Some(beyond),
-            Self::TooLittle { .. } | Self::BeyondLimit { .. } | Self::Period { .. } => None,
+            Self::OutOfRange { .. } | Self::BeyondLimit { .. } | Self::Period { .. } => None,
         }
     }
 }

@@ -8,6 +8,7 @@ mod file;
 mod form;
 mod region;
 
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 pub(crate) use self::axes::AxisLimits;
@@ -81,14 +82,17 @@ jaka_proto::worded! {
         NotFinite {
             /// Name of the quantity, for example `joint range`.
             what: &'static str,
-        } => "{what}: a number is not finite",
-        /// A number that must be above 0 is not.
-        NotPositive {
+            /// Number that was given.
+            given: f64,
+        } => "{what}: {given} is not finite",
+        /// A speed, an acceleration, a jerk or a distance is zero or negative, or so small or large that nothing can be
+        /// computed with it.
+        OutOfRange {
             /// Name of the quantity, for example `joint speed`.
             what: &'static str,
             /// Number that was given.
             given: f64,
-        } => "{what}: {given} is not above 0",
+        } => (format!("{what}: {given} is not from {} to {:e}", RATES.start(), RATES.end())),
         /// No joint has this number.
         NoSuchJoint {
             /// Number that was given.
@@ -148,6 +152,9 @@ jaka_proto::worded! {
     }
 }
 
+/// Range of speeds, accelerations and jerks, in deg or mm and seconds. A slower joint takes hours for a turn; the largest
+/// number is far beyond any arm, and its powers can be computed with.
+pub(crate) const RATES: RangeInclusive<f64> = 1e-3..=1e9;
 /// Default time in which a joint reaches its acceleration, in a motion and in a stop, in seconds. A choice of this
 /// library: no source has jerks of these arms.
 const ACCELERATION_REACHED_S: f64 = 0.1;
@@ -286,9 +293,9 @@ impl Limits {
     /// Sets the highest speeds of joints 1 to 6, in deg/s.
     ///
     /// # Errors
-    /// A speed is not above 0, or is higher than the speed of the [`model`](Self::model).
+    /// A speed is below 0.001, or is higher than the speed of the [`model`](Self::model).
     pub fn with_joint_speeds(mut self, deg_s: [f64; 6]) -> Result<Self, InvalidLimit> {
-        positive("joint speed", &deg_s)?;
+        in_range("joint speed", &deg_s)?;
         for ((joint, given), published) in (1..).zip(deg_s).zip(*self.model.joint_speed()) {
             if given > published {
                 return Err(InvalidLimit::Wider { joint, given, published, unit: "deg/s", model: self.model.name() });
@@ -301,9 +308,9 @@ impl Limits {
     /// Sets the highest accelerations of joints 1 to 6, in deg/s², each reached in 0.1 s.
     ///
     /// # Errors
-    /// An acceleration is not above 0.
+    /// An acceleration is not from 0.001 to 1e9.
     pub fn with_joint_accelerations(mut self, deg_s2: [f64; 6]) -> Result<Self, InvalidLimit> {
-        positive("joint acceleration", &deg_s2)?;
+        in_range("joint acceleration", &deg_s2)?;
         self.axes.accelerations = deg_s2;
         self.axes.jerks = deg_s2.map(reached_in_time);
         Ok(self)
@@ -314,9 +321,9 @@ impl Limits {
     /// else.
     ///
     /// # Errors
-    /// A jerk is not above 0.
+    /// A jerk is not from 0.001 to 1e9.
     pub fn with_joint_jerks(mut self, deg_s3: [f64; 6]) -> Result<Self, InvalidLimit> {
-        positive("joint jerk", &deg_s3)?;
+        in_range("joint jerk", &deg_s3)?;
         self.axes.jerks = deg_s3;
         Ok(self)
     }
@@ -346,9 +353,9 @@ impl Limits {
     /// nothing else.
     ///
     /// # Errors
-    /// The acceleration is not above 0.
+    /// The acceleration is not from 0.001 to 1e9.
     pub fn with_tcp_acceleration(mut self, mm_s2: f64) -> Result<Self, InvalidLimit> {
-        positive("acceleration of the tool centre point", &[mm_s2])?;
+        in_range("acceleration of the tool centre point", &[mm_s2])?;
         self.tcp_acceleration = Some(mm_s2);
         Ok(self)
     }
@@ -359,9 +366,9 @@ impl Limits {
     /// counts as that number.
     ///
     /// # Errors
-    /// An acceleration is not above 0.
+    /// An acceleration is not from 0.001 to 1e9.
     pub fn with_stop_accelerations(mut self, deg_s2: [f64; 6]) -> Result<Self, InvalidLimit> {
-        positive("joint acceleration of a stop", &deg_s2)?;
+        in_range("joint acceleration of a stop", &deg_s2)?;
         self.axes.stop_accelerations = deg_s2;
         self.axes.stop_jerks = deg_s2.map(reached_in_time);
         Ok(self)
@@ -370,9 +377,9 @@ impl Limits {
     /// Sets the jerks of joints 1 to 6 in a stop, in deg/s³.
     ///
     /// # Errors
-    /// A jerk is not above 0.
+    /// A jerk is not from 0.001 to 1e9.
     pub fn with_stop_jerks(mut self, deg_s3: [f64; 6]) -> Result<Self, InvalidLimit> {
-        positive("joint jerk of a stop", &deg_s3)?;
+        in_range("joint jerk of a stop", &deg_s3)?;
         self.axes.stop_jerks = deg_s3;
         Ok(self)
     }
@@ -383,9 +390,9 @@ impl Limits {
     /// keep their speeds. The [`joint_accelerations`](Self::joint_accelerations) of motions take precedence.
     ///
     /// # Errors
-    /// The acceleration is not above 0.
+    /// The acceleration is not from 0.001 to 1e9.
     pub fn with_stop_tcp_acceleration(mut self, mm_s2: f64) -> Result<Self, InvalidLimit> {
-        positive("acceleration of the tool centre point in a stop", &[mm_s2])?;
+        in_range("acceleration of the tool centre point in a stop", &[mm_s2])?;
         self.stop_tcp_acceleration = Some(mm_s2);
         Ok(self)
     }
@@ -400,9 +407,9 @@ impl Limits {
     /// Sets the highest speed of the tool centre point, in mm/s.
     ///
     /// # Errors
-    /// The speed is not above 0.
+    /// The speed is not from 0.001 to 1e9.
     pub fn with_tcp_speed(mut self, mm_s: f64) -> Result<Self, InvalidLimit> {
-        positive("speed of the tool centre point", &[mm_s])?;
+        in_range("speed of the tool centre point", &[mm_s])?;
         self.tcp_speed = Some(mm_s);
         Ok(self)
     }
@@ -555,7 +562,7 @@ pub(crate) fn rounded_up(limit: f64) -> f64 {
 }
 
 fn reached_in_time(acceleration: f64) -> f64 {
-    acceleration / ACCELERATION_REACHED_S
+    (acceleration / ACCELERATION_REACHED_S).min(*RATES.end())
 }
 
 fn index_of(joint: usize) -> Result<usize, InvalidLimit> {
@@ -563,11 +570,12 @@ fn index_of(joint: usize) -> Result<usize, InvalidLimit> {
 }
 
 fn finite(what: &'static str, numbers: &[f64]) -> Result<(), InvalidLimit> {
-    if numbers.iter().all(|number| number.is_finite()) { Ok(()) } else { Err(InvalidLimit::NotFinite { what }) }
+    let other = numbers.iter().find(|number| !number.is_finite());
+    other.map_or(Ok(()), |given| Err(InvalidLimit::NotFinite { what, given: *given }))
 }
 
-fn positive(what: &'static str, numbers: &[f64]) -> Result<(), InvalidLimit> {
-    finite(what, numbers)?;
-    let other = numbers.iter().find(|number| **number <= 0.0);
-    other.map_or(Ok(()), |given| Err(InvalidLimit::NotPositive { what, given: *given }))
+/// Checks that speeds, accelerations, jerks or distances are in the range for computations.
+pub(crate) fn in_range(what: &'static str, numbers: &[f64]) -> Result<(), InvalidLimit> {
+    let other = numbers.iter().find(|number| !RATES.contains(number));
+    other.map_or(Ok(()), |given| Err(InvalidLimit::OutOfRange { what, given: *given }))
 }

@@ -13,6 +13,7 @@ mod generator;
 mod hostile;
 mod limits;
 mod offset_wrist;
+mod options;
 mod overtravel;
 mod round_trip;
 mod trajectory;

@@ -73,7 +73,7 @@ fn rendered(built_in: &Spec, input: &PackInput) -> Result<Module, TokenStream> {
 fn load(spec: &Spec, path: &LitStr) -> Result<Pack, TokenStream> {
     let relative = path.value();
     let file = folder().join(&relative);
-    let text = std::fs::read_to_string(&file).map_err(|error| {
+    let text = jaka_spec::read_text(&file).map_err(|error| {
         let message = format!(
             "cannot read the pack `{}`: {error}; the path is relative to the folder of the crate's Cargo.toml",
             file.display()

@@ -8,8 +8,8 @@ use crate::text::Visible;
 /// A version of a controller's firmware: one to four numbers, such as 1.6.5 or 1.7.1.46.
 ///
 /// Versions are ordered by their numbers: 1.5.14 is after 1.5.9, and 1.6 is just before 1.6.0. Read from the text of
-/// `get_version`, such as `1.6.5_01_X86` or `V1.7.0`: a `V` may come before the numbers, and what comes after them is
-/// passed over.
+/// `get_version`, such as `1.6.5_01_X86` or `V1.7.0`, or of the vendor's release notes, such as `1_7_2_28`: a `V` may
+/// come before the numbers, and words such as `_01_X86` or `-rc2` after them are passed over. Any other text is an error.
 ///
 /// ```
 /// use jaka_proto::FirmwareVersion;
@@ -75,19 +75,35 @@ impl FromStr for FirmwareVersion {
     }
 }
 
-/// The numbers with which the text begins, if there are one to four that fit.
+/// The numbers with which the text begins, if there are one to four that fit. They have dots between them, or
+/// underscores if the first of them has one after it.
 fn numbers(text: &str) -> Option<FirmwareVersion> {
+    let is_no_digit = |c: char| !c.is_ascii_digit();
     let mut rest = text.strip_prefix(['v', 'V']).unwrap_or(text);
+    let separator = if rest.trim_start_matches(|c: char| c.is_ascii_digit()).starts_with('_') { '_' } else { '.' };
     let mut version = FirmwareVersion { numbers: [0; FirmwareVersion::MOST], given: 0 };
     loop {
-        let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+        let end = rest.find(is_no_digit).unwrap_or(rest.len());
         *version.numbers.get_mut(usize::from(version.given))? = rest[..end].parse().ok()?;
         version.given += 1;
-        match rest[end..].strip_prefix('.').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
+        let after = &rest[end..];
+        match after.strip_prefix(separator).filter(|next| !next.starts_with(is_no_digit) && !next.is_empty()) {
             Some(next) => rest = next,
-            None => return Some(version),
+            None => return is_addition(after).then_some(version),
         }
     }
+}
+
+/// True for what may come after the numbers: nothing, or words of ASCII such as `_01_X86`, `-rc2` or `.X64`.
+fn is_addition(text: &str) -> bool {
+    let mut characters = text.chars();
+    let begins = match (characters.next(), characters.next()) {
+        (None, _) => return true,
+        (Some('_'), Some(first)) => first.is_ascii_alphanumeric(),
+        (Some('-' | '.'), Some(first)) => first.is_ascii_alphabetic(),
+        _ => false,
+    };
+    begins && characters.all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.'))
 }
 
 /// A text that is not a firmware version.

@@ -3,6 +3,7 @@
 
 use jaka_proto::check::{AdvisoryRanges, FieldLimits, NotSent, Place, Rules, Validate};
 use jaka_proto::messages::power::GetVersion;
+use jaka_proto::text::Visible;
 use jaka_proto::wire::{DecodeError, Encode, Fields, Reader, Writer};
 use jaka_proto::{Command, CommandInfo, FirmwareRange, FirmwareVersion, NotInFirmware, Request};
 
@@ -21,13 +22,56 @@ fn versions_as_controllers_write_them() {
     assert_eq!(read("1.7.X64"), "1.7");
     assert_eq!(read("2"), "2");
     assert_eq!(version("1.7.1.46_X64"), FirmwareVersion::new([1, 7, 1, 46]));
+    // The vendor's release notes have underscores between the numbers.
+    assert_eq!(read("1_7_2_28"), "1.7.2.28");
+    assert_eq!(read("V1_7_2_28_X64"), "1.7.2.28");
+    assert_eq!(read("1_7"), "1.7");
+    assert_eq!(read("1.5.13.09"), "1.5.13.9");
+    assert_eq!(read("1_X64"), "1");
 }
 
 #[test]
 fn texts_that_are_no_versions() {
-    for text in ["", "V", "X64", "_1.7", ".7", "-1.7", "1.7.1.46.2", "1.4294967296", "version 1.7", "１.７"] {
+    for text in [
+        "",
+        "V",
+        "VV1.7",
+        "X64",
+        "_1.7",
+        ".7",
+        "-1.7",
+        "+1.7",
+        "1.7.1.46.2",
+        "1_7_2_28_1",
+        "1.4294967296",
+        "version 1.7",
+        "１.７",
+        "1..5",
+        "1._5",
+        "1.",
+        "1.7.",
+        "1.7_",
+        "1.7-",
+        "1__7",
+        "0x1.5.1",
+        "1e3.5.1",
+        "1.5e3",
+        "1.7b",
+        "1,7,2",
+        "1 7 2",
+        "1-7-2",
+        "1/7",
+        "1.-7",
+        "1.7 2",
+        "1.7_\u{1b}[2J",
+        "1.7_X64\n2",
+        "inf",
+        "NaN",
+        "1_7.2",
+        "1_7-2",
+    ] {
         let error = text.parse::<FirmwareVersion>().expect_err("it is not a version");
-        assert_eq!(error.to_string(), format!("`{text}` is not a firmware version such as 1.6.5_01_X86"));
+        assert_eq!(error.to_string(), format!("`{}` is not a firmware version such as 1.6.5_01_X86", Visible(text)));
     }
 }
 

@@ -40,7 +40,8 @@ pub(crate) fn load_folder(folder: &Path, prefix: &str, programs: &mut HashMap<St
         if entry.file_type()?.is_dir() {
             load_folder(&entry.path(), &format!("{name}/"), programs)?;
         } else {
-            let text = fs::read_to_string(entry.path())?;
+            let unread = |error: io::Error| io::Error::new(error.kind(), format!("program `{name}`: {error}"));
+            let text = jaka_spec::read_text(entry.path()).map_err(unread)?;
             let invalid = |error| io::Error::new(io::ErrorKind::InvalidData, format!("program `{name}`, {error}"));
             let program = parse(&text).map_err(invalid)?;
             programs.insert(name, program);

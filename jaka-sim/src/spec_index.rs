@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
+use std::io;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
-use std::{fs, io};
 
 use jaka_dynamic::{Message, Translation, firmware_range};
 use jaka_proto::messages::status::{ExtioReport, RobotStatus};
@@ -69,7 +69,7 @@ impl SpecIndex {
         let mut packed = BTreeSet::new();
         for path in packs {
             let name = path.display().to_string();
-            let text = fs::read_to_string(path)
+            let text = jaka_spec::read_text(path)
                 .map_err(|error| io::Error::new(error.kind(), format!("cannot read the pack `{name}`: {error}")))?;
             let pack = jaka_spec::load_pack(&spec, Source { path: &name, text: &text })
                 .map_err(|errors| io::Error::new(io::ErrorKind::InvalidData, errors))?;

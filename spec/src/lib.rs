@@ -33,6 +33,7 @@ macro_rules! toml_words {
 mod advice;
 mod builtin;
 mod evidence;
+mod files;
 mod form;
 mod item;
 mod keys;
@@ -60,6 +61,7 @@ use std::collections::BTreeMap;
 
 pub use builtin::{BUILTIN, builtin};
 pub use evidence::{Evidence, Mark, evidence_sentence};
+pub use files::{LONGEST_TEXT, open_regular, read_at_most, read_file, read_text, text_of};
 pub use keys::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Event, EventFamily, EventTexts, Example, Field, Form, FormKind,

@@ -1,5 +1,6 @@
 //! All tests through the public interface.
 
+mod files;
 mod packs;
 mod reports;
 

@@ -11,16 +11,17 @@ use crate::arm::motion::Form;
 use crate::arm::planned::{MoveTarget, Planned, only_at};
 use crate::failure::Failure;
 use crate::terminal::output;
+use crate::text::number::rate;
 
 /// Options of a motion with a wait for its end.
 #[derive(Debug, Args)]
 pub(crate) struct GoArgs {
     /// Speed: in deg/s of the joint that turns furthest, or in mm/s along the line
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", value_parser = rate)]
     speed: f64,
     /// Acceleration: in deg/s² or mm/s² [default: the controller's; for joints with --model or --limits, the lowest
     /// limit]
-    #[arg(long, value_name = "ACCELERATION")]
+    #[arg(long, value_name = "ACCELERATION", value_parser = rate)]
     acceleration: Option<f64>,
     /// Print the request without sending it
     ///

@@ -18,6 +18,7 @@ use crate::arm::acting::ActArgs;
 use crate::arm::limits::LimitsArgs;
 use crate::failure::Failure;
 use crate::terminal::output;
+use crate::text::number::rate;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -50,7 +51,7 @@ pub(crate) struct Follow {
     #[arg(long, short, value_name = "FILE", requires = "dry_run")]
     output: Option<PathBuf>,
     /// Move to the start first, straight in joint space, at no more than this speed of each joint, in deg/s
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", value_parser = rate)]
     approach: Option<f64>,
     /// Follow the trajectory at this share of its own speed, up to 1
     #[arg(long, value_name = "SHARE", default_value_t = 1.0, value_parser = share)]
@@ -127,8 +128,8 @@ impl Follow {
     }
 }
 
-/// Reads a number above 0, up to 1.
+/// Reads a share: at less than a thousandth of its speed an arm seems to rest.
 fn share(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number <= 1.0);
-    number.ok_or_else(|| "not a number above 0, up to 1".to_owned())
+    let number = text.parse::<f64>().ok().filter(|number| (1e-3..=1.0).contains(number));
+    number.ok_or_else(|| "not a number from 0.001 to 1".to_owned())
 }

@@ -7,6 +7,7 @@ use clap::Args;
 use crate::arm::going::GoArgs;
 use crate::arm::planned::MoveTarget;
 use crate::failure::Failure;
+use crate::text::number::place;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -25,7 +26,7 @@ pub(crate) struct Jog {
     /// Joint, 1 to 6, or axis of the selected user frame: x, y or z
     axis: Axis,
     /// Increment, in deg or mm
-    #[arg(allow_negative_numbers = true)]
+    #[arg(allow_negative_numbers = true, value_parser = place)]
     distance: f64,
     #[command(flatten)]
     go: GoArgs,

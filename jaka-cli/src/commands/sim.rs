@@ -4,7 +4,6 @@ mod fault_list;
 mod keys;
 mod schedule;
 
-use std::fs;
 use std::path::PathBuf;
 use std::sync::mpsc;
 use std::thread;
@@ -167,7 +166,7 @@ fn firmware(name: &str) -> Result<Firmware, String> {
 }
 
 fn faults(text: &str) -> Result<FaultPlan, String> {
-    let read = |path| fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"));
+    let read = |path| jaka_spec::read_text(path).map_err(|error| format!("cannot read `{path}`: {error}"));
     let text = text.strip_prefix('@').map_or_else(|| Ok(text.to_owned()), read)?;
     text.parse().map_err(|error| {
         format!("{error}; the faults of replies are {}; `jaka sim --help` has all", fault_list::words())

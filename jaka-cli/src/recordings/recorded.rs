@@ -1,6 +1,6 @@
 //! Recordings as input, and the files generated from them.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, Write, stdout};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -65,9 +65,12 @@ impl Output {
     }
 }
 
+/// Most bytes of a recording: 4 GiB, some days of both ports.
+const LONGEST: u64 = 1 << 32;
+
 /// Reads a recording. Accepts one with a truncated last line, as after a crash.
 pub(crate) fn read(path: &Path) -> Result<Recording, Failure> {
-    let file = fs::read(path);
+    let file = jaka_spec::read_file(path, LONGEST);
     let file = file.map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))?;
     let recording = Recording::read(&file).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
     if let Some(error) = &recording.truncated {

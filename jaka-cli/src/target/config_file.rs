@@ -1,7 +1,6 @@
 //! Config file with robots by name.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -57,7 +56,7 @@ impl ConfigFile {
 
     /// Reads a file that may be missing.
     pub(crate) fn read_if_there(path: &Path) -> Result<Option<Self>, Failure> {
-        match fs::read_to_string(path) {
+        match jaka_spec::read_text(path) {
             Ok(text) => Self::parse(&text, path).map(Some),
             Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
             Err(error) => Err(Failure::Usage(format!("cannot read the config file {}: {error}", path.display()))),

@@ -2,7 +2,6 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -75,7 +74,7 @@ impl SpecArgs {
 
 /// Reads the text of a file named on the command line.
 pub(crate) fn read(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))
+    jaka_spec::read_text(path).map_err(|error| Failure::Usage(format!("cannot read {}: {error}", path.display())))
 }
 
 /// Adds a pack to the spec. The notes of the pack go to standard error.

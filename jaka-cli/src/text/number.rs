@@ -30,11 +30,33 @@ pub(crate) fn count(number: usize, noun: &str) -> String {
     format!("{number} {noun}{plural}")
 }
 
-/// Reads six numbers.
+/// Reads a position or a distance, in mm or degrees. A million is far beyond any arm and any frame.
+pub(crate) fn place(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number: &f64| number.abs() <= 1e6);
+    number.ok_or_else(|| "not a number from -1e6 to 1e6".to_owned())
+}
+
+/// Reads a speed, an acceleration or a tolerance.
+pub(crate) fn rate(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number| (1e-3..=1e9).contains(number));
+    number.ok_or_else(|| "not a number from 0.001 to 1e9".to_owned())
+}
+
+/// Reads the tolerance of a corner; 0 for a stop there.
+pub(crate) fn corner(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number| *number == 0.0 || (1e-3..=1e9).contains(number));
+    number.ok_or_else(|| "not 0 or a number from 0.001 to 1e9".to_owned())
+}
+
+/// Reads six positions.
 pub(crate) fn six(text: &str) -> Result<[f64; 6], String> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
-    let six = numbers.ok().and_then(|numbers| numbers.try_into().ok());
-    six.ok_or_else(|| "six numbers with commas between them are needed, such as 0,90,90,90,-90,0".to_owned())
+    let words: Result<[&str; 6], _> = text.split(',').map(str::trim).collect::<Vec<_>>().try_into();
+    let needed = |_| "six numbers with commas between them are needed, such as 0,90,90,90,-90,0".to_owned();
+    let mut numbers = [0.0; 6];
+    for (number, word) in numbers.iter_mut().zip(words.map_err(needed)?) {
+        *number = place(word).map_err(|why| format!("`{word}` is {why}"))?;
+    }
+    Ok(numbers)
 }
 
 #[cfg(test)]

@@ -2,11 +2,11 @@
 
 use jaka_proto::messages::types::JointPosition;
 
-use super::dynamics::LEAST;
 use super::{Led, finite};
 use crate::beyond::{Beyond, Exceeded, Way};
 use crate::braking::{JointLimits, JointState, Stop, StopBound};
 use crate::checker::Checker;
+use crate::limits::RATES;
 use crate::speed::TcpVelocity;
 
 /// Limits of a generated motion: limits of the arm, of its joints' dynamics, and of a tool that must be able to stop.
@@ -233,7 +233,7 @@ impl Constraints {
     /// Returns the limits in proportion to these speeds, or to the joints' present speeds if they are higher.
     fn in_proportion(&self, state: &[JointState; 6], speeds: &[f64; 6]) -> [JointLimits; 6] {
         let speeds: [f64; 6] = std::array::from_fn(|index| {
-            let speed = speeds[index].abs().max(state[index].speed.abs()).max(LEAST);
+            let speed = speeds[index].abs().max(state[index].speed.abs()).max(*RATES.start());
             speed.min(self.limits[index].speed)
         });
         let least = |of: fn(&JointLimits) -> f64, start: f64| {

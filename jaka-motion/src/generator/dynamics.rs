@@ -2,7 +2,7 @@
 
 use super::GeneratorError;
 use crate::braking::JointLimits;
-use crate::limits::Limits;
+use crate::limits::{Limits, RATES};
 
 /// Bounds of the joints' motion: speed, acceleration and jerk of each joint, in deg/s, deg/s² and deg/s³.
 ///
@@ -14,7 +14,7 @@ use crate::limits::Limits;
 /// assert_eq!((gentle.accelerations()[0], gentle.jerks()[0]), (72.0, 200.0));
 ///
 /// let wrong = gentle.with_accelerations([60.0, 60.0, -1.0, 60.0, 60.0, 60.0]).unwrap_err();
-/// assert_eq!(wrong.to_string(), "acceleration of joint 3: -1 deg/s² is not at least 0.001 deg/s²");
+/// assert_eq!(wrong.to_string(), "acceleration of joint 3: -1 deg/s² is not from 0.001 to 1e9 deg/s²");
 /// # Ok::<(), jaka_motion::GeneratorError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,9 +23,6 @@ pub struct Dynamics {
     accelerations: [f64; 6],
     jerks: [f64; 6],
 }
-
-/// Least speed, acceleration and jerk. A slower joint takes hours for a turn.
-pub(super) const LEAST: f64 = 1e-3;
 
 impl Dynamics {
     /// Returns the speeds, accelerations and jerks of the limits.
@@ -37,17 +34,17 @@ impl Dynamics {
     /// Sets the highest speeds of joints 1 to 6, in deg/s.
     ///
     /// # Errors
-    /// A number is not at least 0.001.
+    /// A number is not from 0.001 to 1e9.
     pub fn with_speeds(self, deg_s: [f64; 6]) -> Result<Self, GeneratorError> {
-        Ok(Self { speeds: enough("speed", "deg/s", deg_s)?, ..self })
+        Ok(Self { speeds: computable("speed", "deg/s", deg_s)?, ..self })
     }
 
     /// Sets the highest accelerations of joints 1 to 6, in deg/s².
     ///
     /// # Errors
-    /// A number is not at least 0.001.
+    /// A number is not from 0.001 to 1e9.
     pub fn with_accelerations(self, deg_s2: [f64; 6]) -> Result<Self, GeneratorError> {
-        Ok(Self { accelerations: enough("acceleration", "deg/s²", deg_s2)?, ..self })
+        Ok(Self { accelerations: computable("acceleration", "deg/s²", deg_s2)?, ..self })
     }
 
     /// Sets the highest jerks of joints 1 to 6, in deg/s³.
@@ -55,9 +52,9 @@ impl Dynamics {
     /// A jerk above the acceleration divided by the period of the set-points has no effect.
     ///
     /// # Errors
-    /// A number is not at least 0.001.
+    /// A number is not from 0.001 to 1e9.
     pub fn with_jerks(self, deg_s3: [f64; 6]) -> Result<Self, GeneratorError> {
-        Ok(Self { jerks: enough("jerk", "deg/s³", deg_s3)?, ..self })
+        Ok(Self { jerks: computable("jerk", "deg/s³", deg_s3)?, ..self })
     }
 
     /// Returns the highest speed of each joint in deg/s.
@@ -75,11 +72,11 @@ impl Dynamics {
         &self.jerks
     }
 
-    /// Checks that each value is large enough, and that speeds and accelerations are not beyond the limits.
+    /// Checks that each value is in its range, and that speeds and accelerations are not beyond the limits.
     pub(super) fn check(&self, limits: &Limits) -> Result<(), GeneratorError> {
-        enough("speed", "deg/s", self.speeds)?;
-        enough("acceleration", "deg/s²", self.accelerations)?;
-        enough("jerk", "deg/s³", self.jerks)?;
+        computable("speed", "deg/s", self.speeds)?;
+        computable("acceleration", "deg/s²", self.accelerations)?;
+        computable("jerk", "deg/s³", self.jerks)?;
         within("speed", "deg/s", &self.speeds, limits.joint_speeds())?;
         within("acceleration", "deg/s²", &self.accelerations, limits.joint_accelerations())
     }
@@ -94,9 +91,12 @@ impl Dynamics {
     }
 }
 
-fn enough(what: &'static str, unit: &'static str, values: [f64; 6]) -> Result<[f64; 6], GeneratorError> {
-    match (1..).zip(values).find(|(_, given)| !(given.is_finite() && *given >= LEAST)) {
-        Some((joint, given)) => Err(GeneratorError::TooLittle { what, unit, joint, given, least: LEAST }),
+fn computable(what: &'static str, unit: &'static str, values: [f64; 6]) -> Result<[f64; 6], GeneratorError> {
+    match (1..).zip(values).find(|(_, given)| !RATES.contains(given)) {
+        Some((joint, given)) => {
+            let (least, most) = (*RATES.start(), *RATES.end());
+            Err(GeneratorError::OutOfRange { what, unit, joint, given, least, most })
+        }
         None => Ok(values),
     }
 }

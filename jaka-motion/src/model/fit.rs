@@ -115,13 +115,15 @@ pub(super) fn fit(model: &Model, pairs: &[(JointPosition, Pose)], tolerance: Tol
     check(pairs)?;
     let frames = best_frames(model, pairs).ok_or(FitError::TooAlike)?;
     let (mut fit, mut worst) = (Fit { frames, position_mm: 0.0, angle_deg: 0.0 }, pairs[0].0);
+    // Poses of huge numbers have no distance.
+    let known = |distance: f64| if distance.is_nan() { f64::INFINITY } else { distance };
     for (joints, pose) in pairs {
         let ours = frames.pose(model.forward(*joints));
-        let position_mm = ours.distance_mm(pose);
+        let position_mm = known(ours.distance_mm(pose));
         if position_mm > fit.position_mm {
             (fit.position_mm, worst) = (position_mm, *joints);
         }
-        fit.angle_deg = fit.angle_deg.max(ours.angle_deg(pose));
+        fit.angle_deg = fit.angle_deg.max(known(ours.angle_deg(pose)));
     }
     let Fit { position_mm, angle_deg, .. } = fit;
     if position_mm <= tolerance.position_mm && angle_deg <= tolerance.angle_deg {

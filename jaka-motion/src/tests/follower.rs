@@ -23,7 +23,7 @@ fn trajectory() -> Trajectory {
 }
 
 fn follower() -> Follower {
-    Follower::new(trajectory(), &checker(), PERIOD)
+    Follower::new(trajectory(), &checker(), PERIOD).expect("a period of servo mode")
 }
 
 /// Follows to the end, with a scale for each set-point; returns the set-points, and the rate at each.
@@ -133,7 +133,7 @@ fn a_stop_is_looked_at_bit_by_bit() {
     for count in [20, 20_000] {
         let points: Vec<_> = (0..count).map(to_and_fro).collect();
         let trajectory = Trajectory::timed(&points, &checker()).expect("within the limits");
-        let mut follower = Follower::new(trajectory, &checker(), PERIOD);
+        let mut follower = Follower::new(trajectory, &checker(), PERIOD).expect("a period of servo mode");
         (0..600).for_each(|_| _ = follower.advance());
         let (mut stopping, mut looks) = (follower.stopping(), 0);
         let found = loop {

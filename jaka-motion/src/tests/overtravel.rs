@@ -65,7 +65,7 @@ fn least_allowed(follower: &Follower) -> f64 {
 
 #[test]
 fn nowhere_does_the_tool_go_on_further_than_is_told() {
-    let mut follower = Follower::new(trajectory(), &checker(), PERIOD);
+    let mut follower = Follower::new(trajectory(), &checker(), PERIOD).expect("a period of servo mode");
     let allowed = least_allowed(&follower);
     let (mut random, mut scale, mut furthest) = (Random::new(17), 1.0, 0.0);
     for round in 0..6 {
@@ -80,7 +80,7 @@ fn nowhere_does_the_tool_go_on_further_than_is_told() {
             follower.set_scale(scale.max(0.01));
             follower.advance();
         }
-        follower = Follower::new(trajectory(), &checker(), PERIOD);
+        follower = Follower::new(trajectory(), &checker(), PERIOD).expect("a period of servo mode");
     }
     // The contact may come at any moment of a period, which adds up to one period.
     assert!(furthest > 0.85 * allowed, "{furthest} mm of {allowed} mm");
@@ -88,7 +88,7 @@ fn nowhere_does_the_tool_go_on_further_than_is_told() {
 
 #[test]
 fn the_figures_of_the_worst_contact_make_its_way() {
-    let follower = Follower::new(trajectory(), &checker(), PERIOD);
+    let follower = Follower::new(trajectory(), &checker(), PERIOD).expect("a period of servo mode");
     let allowed = 0.99 * least_allowed(&follower);
     let worst = follower.worst_overtravel(&checker(), UNBRAKED_S, allowed).expect("it is too far somewhere");
     assert!(worst.way_mm > 0.0 && (0.0..7.0).contains(&worst.time_s), "{worst:?}");
@@ -101,7 +101,7 @@ fn the_figures_of_the_worst_contact_make_its_way() {
 
 #[test]
 fn braking_keeps_to_the_accelerations_and_is_sooner_than_a_smooth_stop() {
-    let start = Follower::new(trajectory(), &checker(), PERIOD);
+    let start = Follower::new(trajectory(), &checker(), PERIOD).expect("a period of servo mode");
     for after in [10, 60, 125, 300, 700] {
         let mut smooth = start.clone();
         let mut set_points = vec![smooth.joints().0];
@@ -154,7 +154,7 @@ fn some_trajectory(random: &mut Random) -> Trajectory {
 fn no_contact_is_left_out_that_leads_further_than_is_allowed() {
     let mut random = Random::new(23);
     for round in 0..30 {
-        let start = Follower::new(some_trajectory(&mut random), &checker(), PERIOD);
+        let start = Follower::new(some_trajectory(&mut random), &checker(), PERIOD).expect("a period of servo mode");
         let (mut follower, mut braked, mut unbraked) = (start.clone(), 0.0, 0.0);
         while !follower.is_at_end() {
             // The delay, and one period more.
@@ -214,6 +214,7 @@ fn a_joint_that_cannot_be_braked_matters_only_where_the_tool_goes_on() {
         let limits = Limits::of(&Model::default()).with_stop_accelerations([stop_deg_s2; 6]).expect("above 0");
         let checker = Checker::new(limits, Frames::new());
         Follower::new(Trajectory::timed(&points, &checker).expect("within the limits"), &checker, PERIOD)
+            .expect("a period of servo mode")
     };
     // The flange turns about its own middle.
     assert_eq!(turn(5, 1.0).worst_overtravel(&checker(), UNBRAKED_S, 0.1), None);

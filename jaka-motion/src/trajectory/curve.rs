@@ -3,7 +3,7 @@
 use jaka_proto::messages::types::JointPosition;
 
 use super::curve_path::{Begin, CurvePath, Lost, Nearness, Space, TURN_UNITS, distance, of_joints, of_tool};
-use super::leg::{Leg, LegPath, SpeedSettings, Tolerances};
+use super::leg::{Leg, LegPath, SpeedSettings, TOLERANCES, Tolerances};
 use super::path::Path;
 use super::smoothing::{Place, Spline};
 use super::through::{at_point, start};
@@ -31,7 +31,9 @@ pub struct Curve {
     points: Vec<Via>,
     near: Option<JointPosition>,
     tolerances: Tolerances,
-    corners: Tolerances,
+    /// Tolerances for corners; `None` for those of the curve.
+    corner_mm: Option<f64>,
+    corner_deg: Option<f64>,
     corner_above_deg: f64,
     speeds: SpeedSettings,
 }
@@ -81,15 +83,19 @@ const FAR_ARC: f64 = 2.0;
 const NEAR_ARC: f64 = 0.05;
 /// Greatest number of parts of a line between two places, before and after refinement.
 const MOST_PARTS: [usize; 2] = [16, 32];
-/// Least tolerance, in mm or degrees.
-const LEAST_TOLERANCE: f64 = 1e-3;
 
 impl Curve {
     pub(super) fn new(points: Vec<Via>) -> Self {
         let unset = Tolerances { mm: 0.0, turn_deg: TURN_DEG, joint_deg: 0.0 };
-        let corners = Tolerances { mm: f64::NAN, turn_deg: f64::NAN, joint_deg: f64::NAN };
-        let speeds = SpeedSettings::default();
-        Self { points, near: None, tolerances: unset, corners, corner_above_deg: CORNER_ABOVE_DEG, speeds }
+        Self {
+            points,
+            near: None,
+            tolerances: unset,
+            corner_mm: None,
+            corner_deg: None,
+            corner_above_deg: CORNER_ABOVE_DEG,
+            speeds: SpeedSettings::default(),
+        }
     }
 
     /// Sets joint positions near the start, such as those of the arm, for a first point that is a pose. The trajectory
@@ -112,7 +118,7 @@ impl Curve {
         self
     }
 
-    /// Sets the angle, in degrees, above which a bend is a corner; 30 by default.
+    /// Sets the angle, in degrees up to 180, above which a bend is a corner; 30 by default.
     pub fn corner_above_deg(mut self, angle: f64) -> Self {
         self.corner_above_deg = angle;
         self
@@ -121,14 +127,14 @@ impl Curve {
     /// Sets the tolerance, in millimetres, for rounded corners of a curve of the tool; 0 for a stop there. The default
     /// is the tolerance of the curve.
     pub fn corner_mm(mut self, tolerance: f64) -> Self {
-        self.corners.mm = tolerance;
+        self.corner_mm = Some(tolerance);
         self
     }
 
     /// Sets the tolerance for rounded corners, in degrees of each joint or of the tool's turn; 0 for a stop there. The
     /// default is the tolerance of the curve.
     pub fn corner_deg(mut self, tolerance: f64) -> Self {
-        (self.corners.turn_deg, self.corners.joint_deg) = (tolerance, tolerance);
+        self.corner_deg = Some(tolerance);
         self
     }
 
@@ -144,7 +150,7 @@ impl Curve {
         self
     }
 
-    /// Sets the highest jerks of joints 1 to 6, in deg/s³; they replace those of the limits.
+    /// Sets the highest jerks of joints 1 to 6, in deg/s³ from 0.001 to 1e9; they replace those of the limits.
     pub fn jerks(mut self, deg_s3: [f64; 6]) -> Self {
         self.speeds.jerks = Some(deg_s3);
         self
@@ -172,12 +178,16 @@ impl Curve {
             Space::Joints => vec![("within_deg", joint_deg)],
             Space::Tool => vec![("within_mm", mm), ("within_deg", turn_deg)],
         };
-        if let Some((what, given)) = needed.into_iter().find(|(_, given)| *given < LEAST_TOLERANCE) {
+        if let Some((what, given)) = needed.into_iter().find(|(_, given)| !TOLERANCES.contains(given)) {
             return Err(TrajectoryError::Setting { what, given, expected: "at least 0.001" });
         }
-        if self.corner_above_deg.is_nan() || self.corner_above_deg <= 0.0 {
+        if !(self.corner_above_deg > 0.0 && self.corner_above_deg <= 180.0) {
             let given = self.corner_above_deg;
-            return Err(TrajectoryError::Setting { what: "corner_above_deg", given, expected: "above 0" });
+            return Err(TrajectoryError::Setting {
+                what: "corner_above_deg",
+                given,
+                expected: "above 0 and at most 180",
+            });
         }
         let beside_corners = self.share_beside(given.space, &corners);
         let legs = given.legs(beside_corners)?;
@@ -206,11 +216,11 @@ impl Curve {
     }
 
     fn corner_tolerances(&self) -> Tolerances {
-        let or = |set: f64, otherwise: f64| if set.is_nan() { otherwise } else { set };
+        let Tolerances { mm, turn_deg, joint_deg } = self.tolerances;
         Tolerances {
-            mm: or(self.corners.mm, self.tolerances.mm),
-            turn_deg: or(self.corners.turn_deg, self.tolerances.turn_deg),
-            joint_deg: or(self.corners.joint_deg, self.tolerances.joint_deg),
+            mm: self.corner_mm.unwrap_or(mm),
+            turn_deg: self.corner_deg.unwrap_or(turn_deg),
+            joint_deg: self.corner_deg.unwrap_or(joint_deg),
         }
     }
 }

@@ -110,7 +110,7 @@ jaka_proto::worded! {
             what: &'static str,
             /// Number that was given.
             given: f64,
-            /// Description of the allowed numbers, for example `finite and at least 0`.
+            /// Description of the allowed numbers, for example `from 0 to 0.9`.
             expected: &'static str,
         } => "{what}: {given} is not {expected}",
         /// A way-point is beyond a limit of the arm.

@@ -1,9 +1,12 @@
 //! Paths from one point of a trajectory to the next, and the requested speeds.
 
+use std::ops::RangeInclusive;
+
 use super::TrajectoryError;
 use super::curve_path::CurvePath;
 use super::line::Line;
 use crate::checker::Checker;
+use crate::limits::RATES;
 
 /// Path between two points: straight in joint space, on a line of the tool, or a curve.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,8 +73,6 @@ impl Budget {
     }
 }
 
-/// Least speed and jerk: a slower joint takes hours for a turn.
-const SLOWEST: f64 = 1e-3;
 /// Default share of each joint's acceleration that bends leave for changes of the rate.
 const RESERVE: f64 = 0.2;
 /// Greatest such share.
@@ -90,8 +91,8 @@ impl Default for SpeedSettings {
 impl SpeedSettings {
     pub(super) fn check(&self) -> Result<(), TrajectoryError> {
         self.speeds.check()?;
-        if let Some(given) = self.jerks.iter().flatten().find(|jerk| jerk.is_nan() || **jerk < SLOWEST) {
-            return Err(TrajectoryError::Setting { what: "jerks", given: *given, expected: "at least 0.001" });
+        if let Some(given) = self.jerks.iter().flatten().find(|jerk| !RATES.contains(jerk)) {
+            return Err(TrajectoryError::Setting { what: "jerks", given: *given, expected: "from 0.001 to 1e9" });
         }
         if (0.0..=MOST_RESERVE).contains(&self.reserve) {
             return Ok(());
@@ -125,14 +126,19 @@ pub(super) struct Tolerances {
     pub(super) joint_deg: f64,
 }
 
+/// Tolerances, in mm or degrees, that a corner or a curve can be computed with.
+pub(super) const TOLERANCES: RangeInclusive<f64> = 1e-3..=f64::MAX;
+
 impl Tolerances {
     pub(super) const NONE: Self = Self { mm: 0.0, turn_deg: 0.0, joint_deg: 0.0 };
 
-    /// Checks that no tolerance is negative or not finite; `names` are those of the settings.
+    /// Checks that each tolerance is zero or large enough for a computation; `names` are those of the settings.
     pub(super) fn check(&self, names: [&'static str; 3]) -> Result<(), TrajectoryError> {
         let given = [self.mm, self.turn_deg, self.joint_deg];
-        match names.into_iter().zip(given).find(|(_, given)| !(given.is_finite() && *given >= 0.0)) {
-            Some((what, given)) => Err(TrajectoryError::Setting { what, given, expected: "finite and at least 0" }),
+        match names.into_iter().zip(given).find(|(_, given)| *given != 0.0 && !TOLERANCES.contains(given)) {
+            Some((what, given)) => {
+                Err(TrajectoryError::Setting { what, given, expected: "0, or finite and at least 0.001" })
+            }
             None => Ok(()),
         }
     }
@@ -144,7 +150,7 @@ impl LegSpeeds {
     pub(super) fn check(&self) -> Result<(), TrajectoryError> {
         let speeds = self.joint_speeds.iter().map(|speed| ("joint_speeds", *speed));
         let mut all = speeds.chain([("tcp_speed", self.tcp_speed)]);
-        match all.find(|(_, given)| given.is_nan() || *given < SLOWEST) {
+        match all.find(|(_, given)| given.is_nan() || given < RATES.start()) {
             Some((what, given)) => Err(TrajectoryError::Setting { what, given, expected: "at least 0.001" }),
             None => Ok(()),
         }

@@ -659,9 +659,10 @@ fn matters(
     (listed(by_acceleration), listed(by_jerk))
 }
 
-/// Returns a multiplier that is not far from its value on the central path.
+/// Returns a multiplier that is not far from its value on the central path. Numbers that are not finite, or beyond a
+/// bound, stay so: the gap shows them.
 fn near_centre(multiplier: f64, central: f64) -> f64 {
-    multiplier.clamp(central * NEAR.recip(), NEAR * central)
+    multiplier.max(central * NEAR.recip()).min(NEAR * central)
 }
 
 /// Returns squared speeds that rise as fast as the limits allow, from rest at a distance before the first.

@@ -102,7 +102,7 @@ impl Through {
         self
     }
 
-    /// Sets the highest jerks of joints 1 to 6, in deg/s³; they replace those of the limits.
+    /// Sets the highest jerks of joints 1 to 6, in deg/s³ from 0.001 to 1e9; they replace those of the limits.
     pub fn jerks(mut self, deg_s3: [f64; 6]) -> Self {
         self.speeds.jerks = Some(deg_s3);
         self

@@ -96,7 +96,7 @@ fn plan(
     let mut tcp_speed = tool_stop.map_or(f64::INFINITY, |[speed_mm_s, _]| speed_mm_s.max(SLOWEST_MM_S));
     loop {
         let trajectory = through.clone().tcp_speed(tcp_speed).build(checker).map_err(not_planned)?;
-        let mut follower = Follower::new(trajectory, checker, period_s);
+        let mut follower = Follower::new(trajectory, checker, period_s).map_err(not_planned)?;
         match guard.map_or(Ok(()), |guard| guard.check_trajectory(&follower, checker)) {
             Err(_) if tcp_speed > SLOWEST_MM_S => tcp_speed = (0.5 * tcp_speed).max(SLOWEST_MM_S),
             fits => {

@@ -90,7 +90,7 @@ impl<'o> Way<'o> {
         }
         Ok(Self {
             approach: Some(start::check_start(checker, at, trajectory, (config, guard))?),
-            follower: Follower::new(trajectory.clone(), checker, config.servo.period().as_secs_f64()),
+            follower: start::follower(trajectory, checker, config)?,
             given_in: config.given_in,
             orders,
             is_overdue: false,

@@ -45,8 +45,13 @@ pub(super) fn check_limits(
 ) -> Result<(), Error> {
     trajectory.check(checker).map_err(|source| ErrorKind::Trajectory { source })?;
     let Some(guard) = guard else { return Ok(()) };
+    guard.check_trajectory(&follower(trajectory, checker, config)?, checker)
+}
+
+/// Returns the follower of a trajectory with the period of the configuration.
+pub(super) fn follower(trajectory: &Trajectory, checker: &Checker, config: &FollowConfig) -> Result<Follower, Error> {
     let follower = Follower::new(trajectory.clone(), checker, config.servo.period().as_secs_f64());
-    guard.check_trajectory(&follower, checker)
+    follower.map_err(|source| ErrorKind::Trajectory { source }.into())
 }
 
 /// Checks the position of the arm, and plans the path from there to the start of the trajectory.

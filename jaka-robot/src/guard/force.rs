@@ -91,12 +91,16 @@ jaka_proto::worded! {
 /// The longest overtravel that a limit may state, in mm: the same.
 const LONGEST_OVERTRAVEL_MM: f64 = 1000.0;
 
+/// The largest change and the largest braking that a limit may state: ours, far beyond any sensor and any arm.
+const MOST: f64 = 1e6;
+
 /// The longest reaction that a limit may state: ours, far beyond any.
 const LONGEST_REACTION: Duration = Duration::from_secs(60);
 
 impl ForceLimit {
     /// A change of a component by more than this, in units of the sensor, taken to be N or Nm. Other values than a
-    /// number above 0 are an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) at the use of the limit.
+    /// number above 0, of a million at most, are an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) at the
+    /// use of the limit.
     pub fn new(component: ForceComponent, change: f64) -> Self {
         Self { component, change, overtravel_mm: 1.0, reaction: Duration::from_millis(20), braking: None }
     }
@@ -119,8 +123,8 @@ impl ForceLimit {
     }
 
     /// Sets the deceleration of the tool in its braking, in mm/s²: by default the acceleration of the motion. No source
-    /// states the braking of a controller on `stop_program`. Other values than a number above 0 are an
-    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
+    /// states the braking of a controller on `stop_program`. Other values than a number above 0, of a million at most,
+    /// are an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn braking(mut self, mm_s2: f64) -> Self {
         self.braking = Some(mm_s2);
         self
@@ -137,6 +141,9 @@ impl ForceLimit {
         let odd = numbers.into_iter().find(|(_, value)| !value.is_finite() || *value <= 0.0);
         if let Some((name, value)) = odd {
             return Err(Self::option(name).refuse(value, "a number above 0"));
+        }
+        if let Some((name, value)) = numbers.into_iter().find(|(_, value)| *value > MOST) {
+            return Err(Self::option(name).refuse(value, format!("at most {MOST}")));
         }
         if self.overtravel_mm > LONGEST_OVERTRAVEL_MM {
             return Err(Self::option("overtravel").refuse(self.overtravel_mm, "at most 1000 mm"));

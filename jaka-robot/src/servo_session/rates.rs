@@ -6,6 +6,7 @@ use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 
+use super::check_at_least;
 use super::set_point::length;
 use super::set_point::{SetPoint, SetPointStep};
 use crate::Error;
@@ -117,17 +118,16 @@ impl Rates {
         first_beyond(&sizes(step), &speeds.map(|speed| speed * period.as_secs_f64())).is_none()
     }
 
-    /// Checks that these are numbers above zero.
+    /// Checks that these are numbers with which an arm can brake.
     pub(super) fn check_themselves(&self) -> Result<(), Error> {
         let rates = [
             ("max_joint_acceleration", self.joint_acceleration[0], "deg/s²"),
             ("max_tcp_speed", self.tcp_speed, "mm/s"),
             ("max_tcp_acceleration", self.tcp_acceleration, "mm/s²"),
         ];
-        let wrong = rates.into_iter().find(|(_, rate, _)| !(rate.is_finite() && *rate > 0.0));
-        wrong.map_or(Ok(()), |(name, rate, unit)| {
-            Err(OptionName::new("SessionConfig", name).refuse(rate, format!("a number above 0 {unit}")))
-        })
+        rates
+            .into_iter()
+            .try_for_each(|(name, rate, unit)| check_at_least(OptionName::new("SessionConfig", name), rate, unit))
     }
 
     /// Number of periods in which the arm is braked from this step: the n-th set-point of them goes on by

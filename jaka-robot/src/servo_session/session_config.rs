@@ -46,9 +46,9 @@ impl SessionConfig {
 
     /// Sets the greatest change of a joint's speed from one set-point to the next, and the deceleration of the arm at
     /// the end of the session, in deg/s²: 720 by default, which the document advises at most (4.7). Other values than a
-    /// number above 0 are an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption). A robot with limits brakes
-    /// by their stop ([`Limits::stop_accelerations`](jaka_motion::Limits::stop_accelerations)). From 100 deg/s a
-    /// landing takes 0.14 s with 720 deg/s², and 10 s with 10.
+    /// number of at least 0.001 are an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption). A robot with
+    /// limits brakes by their stop ([`Limits::stop_accelerations`](jaka_motion::Limits::stop_accelerations)). From 100
+    /// deg/s a landing takes 0.14 s with 720 deg/s², and 10 s with 10.
     pub fn max_joint_acceleration(mut self, acceleration_deg_s2: f64) -> Self {
         self.rates.joint_acceleration = [acceleration_deg_s2; 6];
         self.rates.joint_deceleration = [acceleration_deg_s2; 6];
@@ -56,7 +56,7 @@ impl SessionConfig {
     }
 
     /// Sets the greatest speed of the tool centre point by set-points that are poses, in mm/s: 3000 by default, which
-    /// is ours. Other values than a number above 0 are an
+    /// is ours. Other values than a number of at least 0.001 are an
     /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn max_tcp_speed(mut self, speed_mm_s: f64) -> Self {
         self.rates.tcp_speed = speed_mm_s;
@@ -65,7 +65,8 @@ impl SessionConfig {
 
     /// Sets the greatest change of the tool centre point's speed from one set-point that is a pose to the next, and the
     /// deceleration of the arm after such set-points, in mm/s²: 8000 by default, which the document advises at most
-    /// (4.9). Other values than a number above 0 are an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
+    /// (4.9). Other values than a number of at least 0.001 are an
+    /// [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption).
     pub fn max_tcp_acceleration(mut self, acceleration_mm_s2: f64) -> Self {
         self.rates.tcp_acceleration = acceleration_mm_s2;
         self

@@ -95,8 +95,10 @@ fn not_generated(error: GeneratorError) -> Error {
     let option = StreamConfig::option("dynamics");
     match error {
         GeneratorError::Start(beyond) => beyond_limit(beyond),
-        GeneratorError::TooLittle { what, unit, joint, given, least } => option
-            .refuse(format_args!("a {what} of joint {joint} of {given} {unit}"), format!("at least {least} {unit}")),
+        GeneratorError::OutOfRange { what, unit, joint, given, least, most } => {
+            let expected = format!("{least} to {most:e} {unit}");
+            option.refuse(format_args!("a {what} of joint {joint} of {given} {unit}"), expected)
+        }
         GeneratorError::BeyondLimit { what, unit, joint, given, limit } => {
             let expected = format!("at most {limit} {unit}, the arm's limit");
             option.refuse(format_args!("a {what} of joint {joint} of {given} {unit}"), expected)

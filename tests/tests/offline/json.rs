@@ -109,7 +109,7 @@ fn keys_that_are_absent_have_the_defaults_of_a_file() {
 fn limits_that_make_no_sense_are_not_read() {
     for (key, value, message) in [
         ("model", json!("Zu 6"), "there is no arm `Zu 6`"),
-        ("tcp", json!({"speed_mm_s": 0}), "speed of the tool centre point: 0 is not above 0"),
+        ("tcp", json!({"speed_mm_s": 0}), "speed of the tool centre point: 0 is not from 0.001 to 1e9"),
         ("tcp", json!({"speed_mms": 1}), "unknown field `speed_mms`, expected `speed_mm_s` or `acceleration_mm_s2`"),
         ("joints", json!({"speed_deg_s": [1, 1, 1]}), "invalid length 3, expected an array of length 6"),
         (

@@ -435,7 +435,7 @@ fn set_points_may_jump_where_the_program_says_so() -> Result<(), Error> {
 }
 
 #[test]
-fn accelerations_of_a_session_are_numbers_above_zero() {
+fn accelerations_of_a_session_are_no_less_than_a_thousandth() {
     let (arm, mut robot) = arm().with_robot();
     for config in [
         SessionConfig::new().max_joint_acceleration(0.0),
@@ -443,7 +443,7 @@ fn accelerations_of_a_session_are_numbers_above_zero() {
         SessionConfig::new().max_tcp_acceleration(-1.0),
     ] {
         let error = robot.enter_servo_mode(&config).expect_err("not a rate");
-        assert!(error.is_invalid_argument() && error.to_string().contains("above 0"), "{error}");
+        assert!(error.is_invalid_argument() && error.to_string().contains("at least 0.001"), "{error}");
     }
     assert!(!names(&arm).contains(&"servo_move".to_owned()));
 }

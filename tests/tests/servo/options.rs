@@ -3,12 +3,12 @@
 use std::fmt::Debug;
 use std::time::Duration;
 
-use jaka_robot::jaka_motion::{Dynamics, Preset};
+use jaka_robot::jaka_motion::{Checker, Dynamics, Frames, Preset, Trajectory};
 use jaka_robot::motion::MoveL;
 use jaka_robot::types::JointPosition;
 use jaka_robot::{
     Cause, Error, ErrorKind, FollowConfig, ForceComponent, ForceLimit, Guard, MotionExt as _, Numbering, RobotConfig,
-    ServoConfig, SessionConfig, StreamConfig, TcpBox,
+    ServoConfig, ServoSession, SessionConfig, Stream, StreamConfig, TcpBox,
 };
 use jaka_tests::{Arm, Configured as _, LONG};
 
@@ -39,15 +39,15 @@ fn an_option_of_a_servo_session_is_named() {
         ),
         (
             config().max_joint_acceleration(0.0),
-            "option `max_joint_acceleration` of `SessionConfig` is 0, expected a number above 0 deg/s²",
+            "option `max_joint_acceleration` of `SessionConfig` is 0, expected a number of at least 0.001 deg/s²",
         ),
         (
             config().max_tcp_speed(-1.0),
-            "option `max_tcp_speed` of `SessionConfig` is -1, expected a number above 0 mm/s",
+            "option `max_tcp_speed` of `SessionConfig` is -1, expected a number of at least 0.001 mm/s",
         ),
         (
             config().max_tcp_acceleration(f64::NAN),
-            "option `max_tcp_acceleration` of `SessionConfig` is NaN, expected a number above 0 mm/s²",
+            "option `max_tcp_acceleration` of `SessionConfig` is NaN, expected a number of at least 0.001 mm/s²",
         ),
         (
             config().servo(servo().realtime_priority(100)),
@@ -165,4 +165,127 @@ fn a_preset_wants_the_payload_and_collision_detection_or_a_waiver() {
     arm.set_state(|state| state.collision_level = 3);
     let (taken, sent) = asked(&mut robot, &usual());
     assert_eq!((taken.is_ok(), sent), (true, [1, 1]));
+}
+
+/// Numbers that nobody would give.
+const ODD: [f64; 16] = [
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    1e308,
+    -1e308,
+    1e30,
+    1e7,
+    1e4,
+    1.0,
+    0.01,
+    9.99e-4,
+    1e-154,
+    f64::MIN_POSITIVE,
+    5e-324,
+    0.0,
+    -1.0,
+];
+
+/// An option that takes a number does its work; another number is refused by the option's name, with what is expected.
+#[track_caller]
+fn taken_or_named<T: Debug>(option: &str, of: &str, odd: f64, makes_sense: bool, result: Result<T, Error>) {
+    match result {
+        Ok(_) => assert!(makes_sense, "option `{option}` of `{of}` takes {odd:e}"),
+        Err(error) => {
+            assert!(!makes_sense, "option `{option}` of `{of}` takes no {odd:e}: {error}");
+            let found = text(Err::<(), _>(error));
+            assert!(found.starts_with(&format!("option `{option}` of `{of}` is {odd}, expected ")), "{found}");
+        }
+    }
+}
+
+/// A turn of joint 6 from where the arm is.
+fn turn() -> Trajectory {
+    let points = [START, [START[0], START[1], START[2], START[3], START[4], START[5] + 5.0]];
+    Trajectory::through(points).build(&Checker::new(limits(), Frames::new())).expect("it is within the limits")
+}
+
+#[test]
+fn odd_numbers_are_taken_or_named() {
+    let (arm, robot) = arm().with_robot();
+    let mut unlimited = robot;
+    let rate = |odd: f64| odd.is_finite() && odd >= 0.001;
+    for odd in ODD {
+        let session = SessionConfig::new;
+        for (option, config) in [
+            ("max_joint_acceleration", session().max_joint_acceleration(odd)),
+            ("max_tcp_speed", session().max_tcp_speed(odd)),
+            ("max_tcp_acceleration", session().max_tcp_acceleration(odd)),
+        ] {
+            let ended = unlimited.enter_servo_mode(&config).and_then(ServoSession::land);
+            taken_or_named(option, "SessionConfig", odd, rate(odd), ended);
+        }
+    }
+    let mut robot = unlimited.configured(&RobotConfig::new().limits(limits())).expect("it is this arm");
+    let trajectory = turn();
+    for odd in ODD {
+        let landed = robot.stream(&StreamConfig::new().max_departure(odd)).and_then(Stream::land);
+        taken_or_named("max_departure", "StreamConfig", odd, rate(odd), landed);
+        let follow = FollowConfig::new;
+        for (option, makes_sense, config) in [
+            ("speed_scale", (0.0..=1.0).contains(&odd), follow().speed_scale(odd)),
+            ("approach", rate(odd), follow().approach(odd)),
+            ("max_departure", rate(odd), follow().max_departure(odd)),
+        ] {
+            arm.set_state(|state| state.joint_position = START.into());
+            let run = robot.start_follow(&trajectory, &config).map(|run| {
+                run.handle().stop().expect("it follows");
+                let _ = run.wait();
+            });
+            taken_or_named(option, "FollowConfig", odd, makes_sense, run);
+        }
+        let limit = |change| ForceLimit::new(ForceComponent::Fz, change);
+        let above_zero = |odd: f64| odd > 0.0 && odd <= 1e6;
+        for (option, of, makes_sense, guard) in [
+            ("change", "ForceLimit", above_zero(odd), Guard::from(limit(odd))),
+            ("overtravel", "ForceLimit", odd > 0.0 && odd <= 1000.0, limit(1.0).overtravel(odd).into()),
+            ("braking", "ForceLimit", above_zero(odd), limit(1.0).braking(odd).into()),
+            ("corner", "TcpBox", odd.is_finite(), TcpBox::from_corners([odd; 3], [1.0; 3]).is_left()),
+            ("threshold", "AnalogCondition", odd.is_finite(), Numbering::FromOne.tool_analog(1).is_above(odd).into()),
+        ] {
+            let down = MoveL::relative([0.0, 0.0, -1.0, 0.0, 0.0, 0.0], 0.1).acceleration(100.0).guard(guard);
+            let refused = match robot.run(&down, LONG) {
+                // The arm has no such sensor, or is too fast for the limit.
+                Err(error) if makes_sense && !matches!(error.kind(), ErrorKind::InvalidOption { .. }) => Ok(()),
+                result => result.map(drop),
+            };
+            taken_or_named(option, of, odd, makes_sense, refused);
+        }
+    }
+}
+
+/// No time is too short or too long for a computation: the session ends, as it does with the usual ones.
+#[test]
+fn odd_times_do_no_harm() {
+    let (_arm, robot) = arm().with_robot();
+    let mut robot = robot.configured(&RobotConfig::new().limits(limits())).expect("it is this arm");
+    let trajectory = turn();
+    for odd in [Duration::ZERO, Duration::from_nanos(1), Duration::from_secs(u64::MAX), Duration::MAX] {
+        let servo = ServoConfig::new;
+        for servo in
+            [servo().busy_wait(odd), servo().max_unanswered(odd), servo().rest_timeout(odd), servo().enter_timeout(odd)]
+        {
+            let _ = robot.enter_servo_mode(&SessionConfig::new().servo(servo.clone())).and_then(ServoSession::land);
+            let _ = robot.stream(&StreamConfig::new().servo(servo)).and_then(Stream::land);
+        }
+        let _ = robot.stream(&StreamConfig::new().max_gap(odd)).and_then(Stream::land);
+        for config in [FollowConfig::new().deadline(odd), FollowConfig::new().max_gap(odd)] {
+            if let Ok(run) = robot.start_follow(&trajectory, &config) {
+                let _ = run.handle().stop();
+                let _ = run.wait();
+            }
+        }
+        let limit = ForceLimit::new(ForceComponent::Fz, 1.0).reaction(odd);
+        let _ = robot.stream(&StreamConfig::new().guard(limit)).and_then(Stream::land);
+        for config in [RobotConfig::new().start_grace(odd, u32::MAX), RobotConfig::new().status_silence(odd)] {
+            let _ = robot.configure(&config.limits(limits()));
+        }
+        let _ = robot.configure(&RobotConfig::new().limits(limits()));
+    }
 }

@@ -1,6 +1,6 @@
 //! Request, from fields or as a whole.
 
-use std::{fs, io};
+use std::io;
 
 use jaka_dynamic::{AdvisoryRanges, Problem};
 use jaka_spec::{COMMAND_NAME, Command, Effect, Spec};
@@ -69,9 +69,9 @@ fn of_fields<'s>(
 /// Reads the text of `--params`.
 fn read(params: &str) -> Result<String, Failure> {
     let text = match params.strip_prefix('@') {
-        Some(path) => fs::read_to_string(path)
+        Some(path) => jaka_spec::read_text(path)
             .map_err(|error| Failure::Usage(format!("cannot read the request in {path}: {error}")))?,
-        None if params == "-" => io::read_to_string(io::stdin())
+        None if params == "-" => jaka_spec::text_of(io::stdin())
             .map_err(|error| Failure::local("cannot read the request on standard input", error))?,
         None => params.to_owned(),
     };

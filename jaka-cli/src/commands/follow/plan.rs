@@ -8,26 +8,26 @@ use jaka_robot::types::JointPosition;
 
 use crate::failure::Failure;
 use crate::target::packs;
-use crate::text::number::six;
+use crate::text::number::{corner, rate, six};
 
 /// Options for planning a trajectory along points without times.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Points without times")]
 pub(super) struct PlanArgs {
     /// Follow a smooth curve within this many mm of poses
-    #[arg(long, value_name = "MM", conflicts_with_all = ["corner_mm", "corner_deg"])]
+    #[arg(long, value_name = "MM", value_parser = rate, conflicts_with_all = ["corner_mm", "corner_deg"])]
     within_mm: Option<f64>,
     /// Follow a smooth curve within this many degrees of each joint, or of the tool's rotation
-    #[arg(long, value_name = "DEG", conflicts_with_all = ["corner_mm", "corner_deg"])]
+    #[arg(long, value_name = "DEG", value_parser = rate, conflicts_with_all = ["corner_mm", "corner_deg"])]
     within_deg: Option<f64>,
     /// Follow lines through poses, with corners rounded within this many mm; 0 to stop at each
-    #[arg(long, value_name = "MM")]
+    #[arg(long, value_name = "MM", value_parser = corner)]
     corner_mm: Option<f64>,
     /// Follow straight paths through joint positions, with corners rounded within this many degrees; 0 to stop at each
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", value_parser = corner)]
     corner_deg: Option<f64>,
     /// Move the tool centre point with at most this speed, in mm/s
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", value_parser = rate)]
     tool_speed: Option<f64>,
     /// Reach the first pose with the joints nearest to these, in degrees; without it, nearest to those of the arm
     #[arg(long, value_name = "J1,J2,J3,J4,J5,J6", value_parser = six, allow_hyphen_values = true)]

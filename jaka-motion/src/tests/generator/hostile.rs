@@ -70,16 +70,12 @@ fn dynamics_beyond_limits_and_odd_starts_are_refused() {
     assert_eq!(error(new(dynamics, start, CYCLE)), "start: joint 1 would be at 361 deg; limit 360 (Zu 5)");
     start[0] = f64::NAN;
     assert!(matches!(new(dynamics, start, CYCLE), Err(GeneratorError::Start(_))));
-    for odd in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9] {
+    for odd in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9, 1e308] {
         let mut values = [10.0; 6];
         values[2] = odd;
-        let is_named = |error: GeneratorError| matches!(error, GeneratorError::TooLittle { joint: 3, .. });
+        let is_named = |error: GeneratorError| matches!(error, GeneratorError::OutOfRange { joint: 3, .. });
         assert!(is_named(dynamics.with_speeds(values).expect_err("refused")));
         assert!(is_named(dynamics.with_accelerations(values).expect_err("refused")));
         assert!(is_named(dynamics.with_jerks(values).expect_err("refused")));
     }
-    // Limits may be almost zero, too.
-    let crawling = zu5().with_joint_accelerations([1e-200; 6]).expect("above 0");
-    let checker = Checker::new(crawling.clone(), Frames::new());
-    Generator::new(&checker, Dynamics::of(&crawling), ELBOW_UP.into(), CYCLE).expect_err("too slow to compute with");
 }

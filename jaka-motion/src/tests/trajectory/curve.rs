@@ -164,9 +164,12 @@ fn what_cannot_be_is_refused_and_named() {
     let poses = on_circle(10.0);
     refused(through_poses(&poses), "within_mm: 0 is not at least 0.001");
     refused(Trajectory::curve([HOME, [0.0; 6]]), "within_deg: 0 is not at least 0.001");
-    refused(through_poses(&poses).within_mm(f64::NAN), "within_mm: NaN is not finite and at least 0");
+    refused(through_poses(&poses).within_mm(f64::NAN), "within_mm: NaN is not 0, or finite and at least 0.001");
     refused(through_poses(&poses).within_mm(1.0).reserve(0.95), "reserve: 0.95 is not from 0 to 0.9");
-    refused(through_poses(&poses).within_mm(1.0).corner_mm(-1.0), "corner_mm: -1 is not finite and at least 0");
+    refused(
+        through_poses(&poses).within_mm(1.0).corner_mm(-1.0),
+        "corner_mm: -1 is not 0, or finite and at least 0.001",
+    );
     refused(Trajectory::curve::<Via>([]), "a trajectory takes at least 2 way-points; given 0");
     refused(Trajectory::curve([HOME; 3]).within_deg(1.0), "all way-points are at the same place");
     let text = "way-point 3: after the first, the points of a curve are all joint positions or all poses";

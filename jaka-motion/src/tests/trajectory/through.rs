@@ -158,8 +158,8 @@ fn what_cannot_be_is_refused_and_named() {
     let text = "way-point 1 is a pose, which several joint positions reach; give joint positions near it, or a first way-point in joints";
     refused(through(&[pose.into(), start]), text);
     let two = through(&[start, [0.0; 6].into()]);
-    refused(two.clone().corner_mm(-1.0), "corner_mm: -1 is not finite and at least 0");
-    refused(two.clone().corner_deg(f64::NAN), "corner_deg: NaN is not finite and at least 0");
+    refused(two.clone().corner_mm(-1.0), "corner_mm: -1 is not 0, or finite and at least 0.001");
+    refused(two.clone().corner_deg(f64::NAN), "corner_deg: NaN is not 0, or finite and at least 0.001");
     refused(two.clone().tcp_speed(0.0), "tcp_speed: 0 is not at least 0.001");
     refused(two.jerks([0.0; 6]), "jerks: 0 is not at least 0.001");
     let beyond = [0.0, 60.0, -181.2, 190.0, -90.0, 0.0];

@@ -88,7 +88,7 @@ fn wrong_settings_of_a_point_are_refused() {
     let line = Via::line(moved([0.0, 50.0, 0.0]));
     assert_eq!(refused(line.with_tcp_speed(0.0)), "tcp_speed: 0 is not at least 0.001");
     assert_eq!(refused(line.with_joint_speeds([f64::NAN; 6])), "joint_speeds: NaN is not at least 0.001");
-    assert_eq!(refused(line.with_corner_mm(-1.0)), "corner_mm: -1 is not finite and at least 0");
+    assert_eq!(refused(line.with_corner_mm(-1.0)), "corner_mm: -1 is not 0, or finite and at least 0.001");
     let curve =
         Trajectory::curve([Via::joints(HOME), line, line.with_tcp_speed(10.0)]).within_mm(0.1).build(&checker());
     assert_eq!(curve.expect_err("it is wrong"), TrajectoryError::OnCurve { way_point: 3 });

@@ -64,7 +64,7 @@ fn encoded(joints: JointPosition) -> String {
 
 /// Set-points at random scales until the end, or until it has come to rest where it was stopped.
 fn followed_at_random(random: &mut Random, trajectory: &Trajectory) -> Vec<[f64; 6]> {
-    let mut follower = Follower::new(trajectory.clone(), &checker(), PERIOD);
+    let mut follower = Follower::new(trajectory.clone(), &checker(), PERIOD).expect("a period of servo mode");
     let stops_at = if random.one_in(3) { random.between(0.0, trajectory.duration_s()) } else { f64::INFINITY };
     let (mut set_points, mut left) = (vec![START], 0);
     while !follower.is_at_end() {
@@ -112,7 +112,7 @@ fn with_rounded_corners_they_stay_on_the_curve_and_stop_soon() {
         let at = |time_s: f64| trajectory.at(time_s).joints.0;
         are_on(&at, trajectory.duration_s(), &set_points).unwrap_or_else(|what| panic!("seed {seed}: {what}"));
         assert_eq!(jump(START, &set_points), None, "seed {seed}: {set_points:?}");
-        let mut follower = Follower::new(trajectory.clone(), &checker, PERIOD);
+        let mut follower = Follower::new(trajectory.clone(), &checker, PERIOD).expect("a period of servo mode");
         while !follower.is_at_end() {
             follower.advance();
             // 180 deg/s at 300 deg/s² take 0.6 s straight on.

@@ -1,6 +1,5 @@
 //! Known values of an argument.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
@@ -81,7 +80,7 @@ fn fields(line: &Words<'_>) -> Vec<Candidate> {
 /// Returns the packets at the start of a recording.
 fn first_packets(file: &Path) -> Option<Vec<Node<'static>>> {
     let mut text = Vec::new();
-    File::open(file).ok()?.take(GLANCE).read_to_end(&mut text).ok()?;
+    jaka_spec::open_regular(file).ok()?.take(GLANCE).read_to_end(&mut text).ok()?;
     text.truncate(text.iter().rposition(|byte| *byte == b'\n')? + 1);
     let recording = Recording::read(&text).ok()?;
     Some(recorded::packets(&recording).filter_map(|packet| packet.status.ok()?.tree().ok()).collect())
