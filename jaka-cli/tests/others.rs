@@ -11,7 +11,16 @@ use crate::common::{self, failure, jaka, output, started};
 
 #[test]
 fn a_simulated_controller_serves_other_programs() {
-    let arm = ["--lag", "16", "--trips", "deviation 1.5, command-acceleration 2000", "--underrun", "run-out 300"];
+    let arm = [
+        "--lag",
+        "16",
+        "--trips",
+        "deviation 1.5, command-acceleration 2000",
+        "--underrun",
+        "run-out 300",
+        "--stop-in-servo",
+        "leave",
+    ];
     let options = [&["sim", "--commands", "0", "--status", "0", "--model", "zu3"], &arm[..]].concat();
     let mut sim = jaka(&options).stdout(Stdio::piped()).spawn().unwrap();
     let mut line = String::new();
@@ -132,6 +141,11 @@ fn what_the_simulated_controller_does_not_know_is_named() {
         hint: `jaka sim --help` lists commands and options
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--underrun", "stop"])));
+    expect![[r#"
+        error: `--stop-in-servo <TEXT>` cannot be `hold`: `hold`: expected one of `discard`, `ignore`, `leave`, `fault`
+        hint: `jaka sim --help` lists commands and options
+        exit code Some(2)"#]]
+    .assert_eq(&failure(&mut jaka(&["sim", "--stop-in-servo", "hold"])));
     expect![[r#"
         error: there is no model `zu99`; the models are Zu 5, Zu 3, Zu 7, Zu 12, Zu 18, Zu 20, Zu 30, Pro 5, Pro 7, Pro 12, Pro 16, Pro 18, S5, S7, S12, C5, C7, C12, A5, A12, MiniCobo
         exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["sim", "--model", "zu99"])));

@@ -15,7 +15,10 @@ use jaka_proto::recording::Recording;
 use crate::clock::scaled;
 use crate::programs::{self, Program};
 use crate::replay::ReplaySource;
-use crate::{Contact, Delays, FaultPlan, Firmware, Habits, Happening, Replay, ReplayTiming, Scheduled, Trip, Underrun};
+use crate::{
+    Contact, Delays, FaultPlan, Firmware, Habits, Happening, Replay, ReplayTiming, Scheduled, StopInServo, Trip,
+    Underrun,
+};
 
 /// Generates [`Builder`] with a field, a default and a setter for each option. The fields listed first have
 /// hand-written methods.
@@ -90,6 +93,9 @@ options! {
 
     /// Sets the reaction of the arm if set-points stop in servo mode while it moves (default: [`Underrun::Hold`]).
     underrun: Underrun = Underrun::Hold;
+
+    /// Sets the reaction of the controller to `stop_program` in servo mode (default: [`StopInServo::Discard`]).
+    stop_in_servo: StopInServo = StopInServo::Discard;
 
     /// Sets the ratio of the controller's time to real time, from 0.001 to 1000 (default: 1).
     ///

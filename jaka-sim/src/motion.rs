@@ -76,17 +76,27 @@ impl Engine {
         self.queue.len()
     }
 
-    /// Brakes, and discards all waiting motions. The next motion starts at the end of the braking.
+    /// Brakes, and discards all waiting motions but set-points. The next motion starts at the end of the braking.
     pub(crate) fn stop(&mut self, joints: Joints, model: &Model) {
         self.queue.clear();
         self.jog = None;
-        self.servo.iter_mut().for_each(Servo::stop);
         self.resting = Duration::ZERO;
         let offset = self.leaving.as_mut().map_or([0.0; 6], |leaving| leaving.brake(model));
         self.tail = self.running.as_mut().map(|running| {
             running.brake();
             plus(running.stop(model, joints), offset)
         });
+    }
+
+    /// Leaves servo mode, and brakes from these joint positions and speeds. Stops at once where the braking would leave
+    /// the joints' ranges.
+    pub(crate) fn leave_servo(&mut self, at: Joints, speed: Joints, deceleration: f64, model: &Model) {
+        self.servo = None;
+        let braking = Running::braking(at, speed, deceleration);
+        if self.running.is_none() && model.is_within_range(braking.planned.end) {
+            self.tail = Some(braking.planned.end);
+            self.running = Some(braking);
+        }
     }
 
     /// Stops at once.

@@ -23,7 +23,7 @@ use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
 use crate::trips::{self, Observed, Trip};
 use crate::underrun::Underrun;
-use crate::{Builder, Contact, Delays, Habits, State};
+use crate::{Builder, Contact, Delays, Habits, State, StopInServo};
 
 /// State of the controller, and the processes that change it over time.
 #[derive(Debug)]
@@ -34,6 +34,7 @@ pub(crate) struct World {
     pub(crate) drives: Drives,
     trips: Vec<Trip>,
     underrun: Underrun,
+    stop_in_servo: StopInServo,
     schedule: Schedule,
     links: Arc<Links>,
     touch: Touch,
@@ -83,6 +84,7 @@ impl World {
             drives: Drives::new(options.lag, state.joint_position.0),
             trips: options.trips.clone(),
             underrun: options.underrun,
+            stop_in_servo: options.stop_in_servo,
             schedule: Schedule::default(),
             links: Arc::clone(links),
             touch: Touch::new(options.contact),
@@ -287,9 +289,20 @@ impl World {
         if self.state.program_state == ProgramState::Paused { 0.0 } else { self.state.rapid_rate }
     }
 
-    /// Brakes, and discards all waiting motions.
+    /// Brakes, and discards all waiting motions. In servo mode, the reaction is that of the options.
     pub(crate) fn stop(&mut self) {
-        self.engine.stop(self.drives.commanded, &self.model);
+        let Drives { commanded, commanded_speed, .. } = self.drives;
+        self.engine.stop(commanded, &self.model);
+        let Some(servo) = &mut self.engine.servo else { return };
+        match self.stop_in_servo {
+            StopInServo::Discard => servo.stop(),
+            StopInServo::Ignore => {}
+            StopInServo::Leave => {
+                self.state.servo_mode = false;
+                self.engine.leave_servo(commanded, commanded_speed, USUAL_ACCELERATION, &self.model);
+            }
+            StopInServo::Fault => self.trip(trips::command_error(commanded_speed)),
+        }
     }
 
     fn tool_at(&self, joints: Joints) -> Transform {

@@ -1,11 +1,12 @@
-//! The arm in servo mode: how it lags, what makes its drives stop it, and what it does when set-points stop.
+//! The arm in servo mode: how it lags, what makes its drives stop it, and what it does when set-points stop and at a
+//! stop.
 
 use std::time::Duration;
 
 use crate::common::servo::{Arm, CYCLE, actual, builder, commanded, greatest, ramp, set_point};
-use crate::common::{Peer, assert_accepted, json};
+use crate::common::{Peer, assert_accepted, enabled, json};
 use jaka_proto::wire::Value;
-use jaka_sim::{State, Trip, Underrun};
+use jaka_sim::{State, StopInServo, Trip, Underrun};
 
 const LAG: Duration = Duration::from_millis(20);
 
@@ -243,5 +244,116 @@ fn a_stop_and_a_collision_end_what_is_left() {
         let state = arm.controller.state();
         assert!(state.at_rest && state.servo_mode != collides);
         assert_eq!(arm.step().joint_position, state.joint_position);
+    }
+}
+
+/// The arm at 50 deg/s at 40 deg, with set-points up to 41.2 deg waiting, and then a stop.
+fn stopped_by_command(reaction: StopInServo) -> Arm {
+    let mut arm = Arm::new(builder().stop_in_servo(reaction));
+    arm.follow(ramp(50.0, 100));
+    ramp(50.0, 103).skip(100).for_each(|place| arm.send(place));
+    assert_accepted(&arm.peer.call("stop_program"), "stop_program");
+    arm
+}
+
+/// Asserts that set-points are refused as outside servo mode, and followed once it is entered again.
+fn assert_outside_servo_mode(arm: &mut Arm) {
+    let state = arm.controller.state();
+    assert!(!state.servo_mode && state.at_rest, "{state:?}");
+    let refused = arm.peer.ask(&set_point(actual(&state)));
+    assert_eq!(refused["errorCode"], "-1", "{refused}");
+    assert_eq!(arm.step().joint_position, state.joint_position);
+    arm.enter();
+    assert_follows(arm, actual(&state));
+}
+
+fn assert_follows(arm: &mut Arm, from: f64) {
+    arm.send(from + 0.2);
+    assert!((actual(&arm.step()) - from - 0.2).abs() < 1e-9);
+}
+
+#[test]
+fn a_stop_discards_the_waiting_set_points() {
+    let mut arm = stopped_by_command(StopInServo::Discard);
+    let states: Vec<_> = (0..10).map(|_| arm.step()).collect();
+    assert!(states.iter().all(|state| (actual(state) - 40.0).abs() < 1e-9 && state.at_rest && state.servo_mode));
+    assert_eq!(states[9].error_code, "0x0");
+    assert_follows(&mut arm, 40.0);
+}
+
+#[test]
+fn a_stop_that_is_ignored_changes_nothing() {
+    let mut arm = stopped_by_command(StopInServo::Ignore);
+    let places: Vec<_> = (0..5).map(|_| actual(&arm.step())).collect();
+    let wanted = [40.4, 40.8, 41.2, 41.2, 41.2];
+    assert!(places.iter().zip(wanted).all(|(place, wanted)| (place - wanted).abs() < 1e-9), "{places:?}");
+    let state = arm.controller.state();
+    assert!(state.servo_mode && state.error_code == "0x0", "{state:?}");
+    assert_follows(&mut arm, 41.2);
+}
+
+#[test]
+fn a_stop_that_leaves_servo_mode_brakes() {
+    let mut arm = stopped_by_command(StopInServo::Leave);
+    let refused = arm.peer.ask(&set_point(40.4));
+    assert_eq!(refused["errorCode"], "-1", "{refused}");
+    let places: Vec<_> = [vec![40.0], arm.until_rest().iter().map(actual).collect()].concat();
+    let speeds: Vec<_> = places.windows(2).map(|pair| (pair[1] - pair[0]) / CYCLE.as_secs_f64()).collect();
+    // 180 deg/s² are 1.44 deg/s in a cycle.
+    assert!(speeds[0] < 50.0 && speeds[0] > 48.5, "{speeds:?}");
+    assert!(speeds.windows(2).all(|pair| pair[1] <= pair[0] && pair[0] - pair[1] < 1.45), "{speeds:?}");
+    let way = places.last().expect("there are places") - 40.0;
+    assert!((way - 50.0 * 50.0 / 2.0 / 180.0).abs() < 1e-9, "{way}");
+    assert_eq!(arm.controller.state().error_code, "0x0");
+    assert_outside_servo_mode(&mut arm);
+
+    // Not beyond the end of a joint's range.
+    let mut arm = Arm::new(builder().stop_in_servo(StopInServo::Leave));
+    arm.controller.set_state(|state| state.joint_position.0[0] = 300.0);
+    let last = arm.follow(ramp(100.0, 70).map(|place| 300.0 + place)).pop().expect("there are states");
+    assert_accepted(&arm.peer.call("stop_program"), "stop_program");
+    assert_eq!(arm.step().joint_position, last.joint_position);
+    assert_outside_servo_mode(&mut arm);
+}
+
+#[test]
+fn a_stop_that_is_a_fault_halts_the_arm() {
+    let mut arm = stopped_by_command(StopInServo::Fault);
+    assert!((actual(&arm.controller.state()) - 40.0).abs() < 1e-9);
+    assert_tripped(&mut arm, "0x108614");
+}
+
+#[test]
+fn a_stop_of_a_resting_arm_leaves_it_in_its_place() {
+    for reaction in StopInServo::ALL {
+        let mut arm = Arm::new(builder().stop_in_servo(reaction));
+        let before = arm.controller.state();
+        assert_accepted(&arm.peer.call("stop_program"), "stop_program");
+        let (state, later) = (arm.controller.state(), arm.step());
+        let (stays, code) = match reaction {
+            StopInServo::Leave => (false, "0x0"),
+            StopInServo::Fault => (false, "0x108614"),
+            _ => (true, "0x0"),
+        };
+        assert_eq!((state.servo_mode, &*state.error_code), (stays, code), "{reaction}");
+        assert_eq!((state.joint_position, later.joint_position), (before.joint_position, before.joint_position));
+        assert!(later.at_rest, "{reaction}");
+    }
+}
+
+#[test]
+fn a_stop_outside_servo_mode_brakes_whatever_it_does_in_servo_mode() {
+    for reaction in StopInServo::ALL {
+        let controller = enabled(builder().stop_in_servo(reaction));
+        let mut peer = Peer::commands(&controller);
+        let turn = r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[90,0,0,0,0,0],"speed":50,"accel":100}"#;
+        assert_accepted(&peer.ask(turn), "joint_move");
+        controller.advance(Duration::from_secs(1));
+        let from = actual(&controller.state());
+        assert_accepted(&peer.call("stop_program"), "stop_program");
+        controller.advance(Duration::from_secs(1));
+        let state = controller.state();
+        assert!(state.at_rest && state.error_code == "0x0", "{reaction}: {state:?}");
+        assert!((actual(&state) - from - 12.5).abs() < 1e-9, "{reaction}: {}", actual(&state) - from);
     }
 }

@@ -11,7 +11,9 @@ use std::time::Duration;
 
 use clap::Args;
 use itertools::Itertools as _;
-use jaka_sim::{Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Scheduled, Takeover, Trip, Underrun};
+use jaka_sim::{
+    Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Scheduled, StopInServo, Takeover, Trip, Underrun,
+};
 use ratatui::crossterm::event::KeyEvent;
 
 use crate::arm::interrupt::end_on_interrupt;
@@ -63,6 +65,10 @@ pub(crate) struct Sim {
     /// Reaction of the arm if set-points stop while it moves: `hold`, `fault 40ms`, or `run-out 300`, in deg/s²
     #[arg(long, value_name = "TEXT", default_value_t)]
     underrun: Underrun,
+    /// Reaction of the controller to `stop_program` in servo mode: `discard` its waiting set-points, `ignore` the stop,
+    /// `leave` servo mode and brake, or end it with a `fault`
+    #[arg(long, value_name = "TEXT", default_value_t = StopInServo::Discard)]
+    stop_in_servo: StopInServo,
     /// Treatment of a client that connects to the command port while another one is connected there
     #[arg(long, value_name = "WHAT", default_value = "replaces", value_parser = one_of(&SECOND_CLIENTS))]
     second_client: Takeover,
@@ -147,8 +153,8 @@ impl Sim {
             builder = builder.status_period(Duration::from_millis(ms));
         }
         builder = builder.time_scale(self.time_scale).takeover(self.second_client);
-        builder =
-            builder.lag(Duration::from_millis(self.lag)).trips(self.trips.iter().copied()).underrun(self.underrun);
+        builder = builder.lag(Duration::from_millis(self.lag)).trips(self.trips.iter().copied());
+        builder = builder.underrun(self.underrun).stop_in_servo(self.stop_in_servo);
         builder = self.programs.iter().fold(builder, Builder::programs_from);
         if let Some(plan) = &self.faults {
             builder = builder.faults(plan.clone());

@@ -19,7 +19,7 @@ pub(crate) struct Drives {
     /// Actual positions of the joints, in degrees.
     pub(crate) actual: Joints,
     /// Commanded speeds of the joints in the last cycle, in deg/s.
-    commanded_speed: Joints,
+    pub(crate) commanded_speed: Joints,
     /// Actual speeds of the joints in the last cycle, in deg/s.
     pub(crate) speed: Joints,
 }

@@ -52,6 +52,16 @@ impl Running {
         Self { length: planned.path.length(), planned, time: 0.0, brake: None }
     }
 
+    /// Creates the braking from these joint positions and speeds, with this deceleration of the fastest joint.
+    pub(super) fn braking(from: Joints, speed: Joints, deceleration: f64) -> Self {
+        let fastest = speed.iter().map(|speed| speed.abs()).fold(0.0, f64::max);
+        let end = std::array::from_fn(|i| from[i] + speed[i] * fastest / deceleration / 2.0);
+        let path = ArmPath::Joints { from, to: end };
+        let profile = Profile::new(path.length(), fastest, deceleration);
+        let brake = Brake::new(Along { distance: 0.0, speed: fastest }, deceleration);
+        Self { brake: Some(brake), ..Self::new(Planned { path, profile, deceleration, end, zone: None }) }
+    }
+
     /// Returns the share of the path at the end of a cycle, and whether the motion ends there.
     pub(super) fn cycle(&mut self, rate: f64) -> (f64, bool) {
         let (along, ended) = if let Some(brake) = self.brake {

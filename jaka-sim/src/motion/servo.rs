@@ -125,7 +125,7 @@ impl Servo {
     }
 
     /// Discards the waiting set-points.
-    pub(super) fn stop(&mut self) {
+    pub(crate) fn stop(&mut self) {
         self.waiting.clear();
         self.left = 0;
         self.reference.speed = [0.0; 6];
