@@ -97,11 +97,12 @@ impl Moving<'_> {
         let since = self.arm.clock().stopwatch();
         self.arm.link().check_open(motion.info.name)?;
         self.arm.check_acknowledged()?;
-        let begin = self.begin(motion, timeout)?;
+        let not_sent = |error: Error| error.before(motion.info.name);
+        let begin = self.begin(motion, timeout).map_err(not_sent)?;
         let left = || since.left_of(timeout);
         let beginning = if self.planned.has_motions() { Beginning::InQueue } else { Beginning::AtRest(begin.start) };
         let times = (self.planned.grace.time, left());
-        let end = self.limits.check_motion(self.arm, motion, beginning, times)?;
+        let end = self.limits.check_motion(self.arm, motion, beginning, times).map_err(not_sent)?;
         let gate = self.arm.gate(Sending::Motion);
         let guarded = || gate().and_then(|()| guard.map_or(Ok(()), Armed::let_out));
         let sent = self.arm.client().call_written(Some(&guarded), (motion.info, motion.request), left());

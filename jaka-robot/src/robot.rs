@@ -18,6 +18,7 @@ use crate::input_wait::wait_for;
 use crate::limits::LimitChecks;
 use crate::motions::PlannedMotion;
 use crate::planned::{Moving, Planned};
+use crate::power_steps::NeedsRest;
 use crate::preflight::Preflight;
 use crate::servo_session::{LedArm, ServoSession};
 use crate::{
@@ -65,6 +66,7 @@ pub struct Robot<S: MotionStatus = RobotStatus> {
     pub(crate) arm: Arm,
     limits: LimitChecks,
     planned: Planned,
+    needs_rest: NeedsRest,
 }
 
 impl<S: MotionStatus> Robot<S> {
@@ -148,9 +150,9 @@ impl<S: MotionStatus> Robot<S> {
     /// `Robot::<newer::RobotStatus>::with_monitor(…)`.
     pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Self {
         let monitor = monitor.into();
-        let RobotConfig { grace, silence, needs_status, .. } = RobotConfig::new();
+        let RobotConfig { grace, silence, needs_status, needs_rest, .. } = RobotConfig::new();
         let (arm, planned) = (Arm::new(client, &monitor, needs_status), Planned::new(grace, silence));
-        Self { monitor, arm, limits: LimitChecks::default(), planned }
+        Self { monitor, arm, limits: LimitChecks::default(), planned, needs_rest }
     }
 
     /// Applies options. Those that are not set in `config` are the defaults.
@@ -170,6 +172,7 @@ impl<S: MotionStatus> Robot<S> {
         };
         (self.planned.grace, self.planned.silence) = (config.grace, config.silence);
         self.arm.position.set_rest_speed(config.rest_speed);
+        self.needs_rest = config.needs_rest;
         self.arm.state.set_needs_status(config.needs_status);
         Ok(())
     }
@@ -219,6 +222,9 @@ impl<S: MotionStatus> Robot<S> {
     /// (`get_robot_state`, 4.12), and waits until the status packets say so, too. A step that is done already is left
     /// out.
     ///
+    /// An arm that moves keeps its power: without it, it would fall into its brakes. Stop it, wait for its
+    /// [rest](Self::wait_for_rest), and power it down then. Not every controller refuses to disable an arm that moves.
+    ///
     /// # Errors
     /// As [`power_down_with`](Self::power_down_with).
     #[doc(alias = "disable_robot")]
@@ -231,7 +237,10 @@ impl<S: MotionStatus> Robot<S> {
     /// before each step and when it is done.
     ///
     /// # Errors
-    /// - [`ErrorKind::Refused`]: the controller does not disable an arm that moves or runs a program (4.4).
+    /// - [`ErrorKind::NotSent`]: the arm [is not at rest](ErrorKind::NotAtRest), something that may move it was sent
+    ///   through any handle of the connection since it was seen at rest, or the controller does not report the joints:
+    ///   for that, see [`RobotConfig::allow_power_down_without_joints`].
+    /// - [`ErrorKind::Refused`]: the controller does not disable an arm that runs a program (4.4).
     /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun during the call. No further step is sent
     ///   then.
     /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
@@ -239,7 +248,7 @@ impl<S: MotionStatus> Robot<S> {
     /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
     pub fn power_down_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
-        power_steps::down(&mut self.arm, timeout, &mut observer)
+        power_steps::down(&mut self.arm, self.needs_rest, timeout, &mut observer)
     }
 
     /// Sends a motion and waits for its end; [under a guard](crate::MotionExt::guard) also for its trip.

@@ -14,7 +14,7 @@ mod state;
 use std::error::Error as StdError;
 use std::io;
 use std::net::{Shutdown, SocketAddr};
-use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
@@ -63,6 +63,8 @@ pub struct Link {
     /// Number of stops that are being sent or wait for it. While there are any, no thread starts to send another
     /// command.
     stops: AtomicUsize,
+    /// Number of entered commands that may move the arm. Changes under the lock of `state`; gates read it.
+    moves: AtomicU64,
     /// Firmware of the controller, if it is known.
     firmware: Mutex<Option<FirmwareVersion>>,
 }
@@ -98,6 +100,7 @@ impl Link {
             reply_timeout: config.reply_timeout,
             state: Watched::new(&config.clock, state),
             stops: AtomicUsize::new(0),
+            moves: AtomicU64::new(0),
             firmware: Mutex::new(config.firmware),
         }
     }
@@ -170,6 +173,11 @@ impl Link {
     /// Number of sent commands that change the frames or the tool to which poses refer.
     pub fn frame_changes(&self) -> u64 {
         self.state.lock().frame_changes
+    }
+
+    /// Number of commands of all handles that may move the arm. Gates may ask for it.
+    pub fn moves(&self) -> u64 {
+        self.moves.load(Ordering::SeqCst)
     }
 
     /// Number of sent stops.

@@ -85,6 +85,16 @@ jaka_proto::worded! {
             /// Cause of the end of the connection.
             cause: Arc<Disconnect>,
         } => (commands_lost(address, what, cause)),
+        /// A command was not sent, because a query before it failed, or showed that the arm moves. Nothing that moves the
+        /// arm was sent, nor a step that concerns its power.
+        NotSent {
+            /// `cmdName` of the command.
+            command: String,
+            /// Error of the query, or of the arm that moves.
+            because: Error,
+            /// Remedy for it.
+            remedy: Remedy,
+        } => (format!("`{command}` was not sent: {}", because.kind())),
         /// A motion was not sent, because it could not be stopped within the overtravel of a limit of force, or that is
         /// not known.
         NotGuarded {
@@ -324,6 +334,7 @@ impl ErrorKind {
             Self::GuardTripped { trip } => trip.cause(),
             Self::NotStopped { first, stopping } => Sequence::new(first, stopping).cause(),
             Self::SetPointLate { .. } => Cause::SetPointLate,
+            Self::NotSent { because, .. } => because.cause(),
             Self::NotAtRest { .. } => Cause::Moving,
             Self::SessionEnded { cause, .. } => *cause,
             Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.cause,
@@ -360,6 +371,7 @@ impl ErrorKind {
     pub(super) fn event(&self) -> String {
         let text = match self {
             Self::NotAcknowledged { occurrence } => occurrence.to_string(),
+            Self::NotSent { because, .. } => because.kind().event(),
             Self::NotReady { explanation } => explanation.to_string(),
             Self::StatusUnknown { problem } => problem.to_string(),
             Self::Refused { refusal, .. } => refusal.to_string(),
@@ -378,6 +390,7 @@ impl ErrorKind {
             Self::NotReached { end } => end.evidence().clone(),
             Self::FramesChanged { change } => Evidence::Frames(*change),
             Self::Connection(error) => evidence(error),
+            Self::NotSent { because, .. } => because.kind().evidence(),
             Self::RestNotSeen { first: Some(first), .. }
             | Self::NotLanded { first, .. }
             | Self::ServoModeNotLeft { first: Some(first), .. }
@@ -395,7 +408,7 @@ impl ErrorKind {
             Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => problem.remedy().into(),
             Self::NotShown { reason, .. } => reason.remedy(),
             Self::NotGuarded { reason, .. } => reason.remedy(),
-            Self::SessionEnded { remedy, .. } => *remedy,
+            Self::SessionEnded { remedy, .. } | Self::NotSent { remedy, .. } => *remedy,
             Self::NotStopped { first, stopping } => Sequence::new(first, stopping).remedy(),
             Self::ServoModeNotLeft { first, leaving } => Sequence::new(first.as_ref(), leaving).remedy(),
             Self::NotLanded { first, landing } => Sequence::new(first, landing).remedy(),
@@ -468,6 +481,9 @@ impl ErrorKind {
                 may_have_run: end.phase() != Phase::NotSent,
                 source: end.source(),
             },
+            // It is no refusal of the command.
+            Self::NotSent { because, .. } if because.is_refused() => other.source(because.source()),
+            Self::NotSent { because, .. } => Meaning { may_have_run: false, ..because.kind().meaning() },
             Self::NotReady { .. }
             | Self::NotAtRest { .. }
             | Self::SetPointLate { .. }

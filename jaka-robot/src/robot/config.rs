@@ -8,6 +8,7 @@ use crate::arm::REST_SPEED;
 use crate::error::OptionName;
 use crate::limits::Waived;
 use crate::planned::Grace;
+use crate::power_steps::NeedsRest;
 use crate::{Error, LimitPolicy};
 
 /// Options of a [`Robot`](crate::Robot), without the options of its connections ([`Config`](crate::Config)).
@@ -54,6 +55,7 @@ pub struct RobotConfig {
     pub(super) grace: Grace,
     pub(super) silence: Duration,
     pub(super) rest_speed: f64,
+    pub(super) needs_rest: NeedsRest,
     pub(super) needs_status: bool,
     pub(super) limits: Option<Limits>,
     pub(super) policy: LimitPolicy,
@@ -66,6 +68,7 @@ impl Default for RobotConfig {
             grace: Grace { time: Duration::from_millis(400), packets: 3 },
             silence: Duration::from_secs(2),
             rest_speed: REST_SPEED,
+            needs_rest: NeedsRest::Seen,
             needs_status: true,
             limits: None,
             policy: LimitPolicy::default(),
@@ -101,10 +104,18 @@ impl RobotConfig {
     ///
     /// The arm is at rest if no joint turned faster over three answers of the controller (`get_joint_pos`, 4.49) that
     /// are 100 ms apart. Noise of the encoders looks like a turn: of ±0.03 deg, like up to 0.3 deg/s. A robot waits for
-    /// rest after it has stopped the arm, and asks for it before it enters servo mode:
+    /// rest after it has stopped the arm, and asks for it before servo mode and before it powers the arm down:
     /// [`Robot::wait_for_rest`](crate::Robot::wait_for_rest).
     pub fn rest_speed(mut self, deg_s: f64) -> Self {
         self.rest_speed = deg_s;
+        self
+    }
+
+    /// Allows [`Robot::power_down`](crate::Robot::power_down) although the controller does not report the joints
+    /// (`get_joint_pos`, 4.49), so that it is not known whether the arm is at rest. An arm that is seen to move keeps
+    /// its power all the same.
+    pub fn allow_power_down_without_joints(mut self) -> Self {
+        self.needs_rest = NeedsRest::UnlessUnknown;
         self
     }
 

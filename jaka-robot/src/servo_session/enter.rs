@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use jaka_motion::Checker;
-use jaka_proto::messages::servo::{IsInServomove, SetServoMode, SetServoMoveFilter};
+use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode, SetServoMoveFilter};
 use jaka_proto::messages::types::Switch;
 use jaka_proto::{Command, Role};
 use jaka_sync::layer::{ClientParts as _, Reservation};
@@ -50,18 +50,21 @@ impl<'r> ServoSession<'r> {
         config.check_step_count()?;
         rates.check_themselves()?;
         let priority = config.take_priority()?;
-        rest(arm, has_motions, config.enter_timeout)?;
+        let not_sent = |error: Error| error.before(SetServoMode::INFO.name);
+        rest(arm, has_motions, config.enter_timeout).map_err(not_sent)?;
         let reserved = Some(arm.reserve(MEANWHILE));
         let (frame_changes, under_way) = (arm.link().frame_changes(), arm.under_way());
-        if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
+        let servo_mode = arm.queries().call(&IsInServomove::new()).map_err(|error| not_sent(error.into()))?;
+        if servo_mode.in_servo_mode {
             return Err(arm.not_ready(Explanation::ServoModeOn));
         }
-        check(arm, limits)?;
+        check(arm, limits).map_err(not_sent)?;
         limits.forget_plan();
         if let Some(filter) = &config.filter {
             let gate = arm.gate(Sending::Motion);
             let client = arm.client();
-            client.call_through(Some(&gate), filter, client.timeout_of(SetServoMoveFilter::INFO))?;
+            let set = client.call_through(Some(&gate), filter, client.timeout_of(SetServoMoveFilter::INFO));
+            set.map_err(|error| not_sent(error.into()))?;
         }
         let mut session = Self {
             pace: Pace::new(arm.clock(), config.period(), config.busy_wait),
@@ -103,10 +106,15 @@ impl<'r> ServoSession<'r> {
             self.is_open = error.may_have_run();
             return Err(error);
         }
+        self.start(timeout).map_err(|error| error.before(ServoJ::INFO.name))
+    }
+
+    /// Place of the arm in servo mode, before the first set-point.
+    fn start(&mut self, timeout: Duration) -> Result<Course, Error> {
         self.wait_until_entered(timeout)?;
         let start = self.arm.client().get_joint_pos()?.joint_position;
         let pose = self.arm.position.tcp_pose(timeout)?;
-        self.limits.prepare_set_points(self.arm, (start, pose), timeout)?;
+        self.limits.prepare_set_points(self.arm, (start, pose), ServoJ::INFO.name, timeout)?;
         if let Some(limits) = self.limits.checker().map(Checker::limits) {
             let (motions, stops) = (*limits.joint_accelerations(), limits.stop_accelerations());
             self.rates.joint_acceleration = motions;

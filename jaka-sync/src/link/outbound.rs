@@ -113,6 +113,7 @@ impl Link {
             state.frame_changes += u64::from(outgoing.changes_frames());
             state.stops += u64::from(outgoing.right != Right::Usual);
             state.count_change(outgoing);
+            self.moves.fetch_add(u64::from(outgoing.may_move()), Ordering::SeqCst);
         }
     }
 

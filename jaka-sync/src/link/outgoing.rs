@@ -7,7 +7,7 @@ use std::time::Duration;
 use jaka_clock::{Clock, Stopwatch};
 use jaka_proto::check::{NotSent, Rules};
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion};
+use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion, Role};
 
 use super::not_sent_in_time;
 use crate::{Error, ErrorKind};
@@ -165,6 +165,12 @@ impl<'o> Outgoing<'o> {
     /// True if the command changes nothing. An unknown command may change anything.
     pub(super) fn is_query(&self) -> bool {
         self.info.is_some_and(|info| info.effect == Effect::Query)
+    }
+
+    /// True unless the command is known to move nothing. An unknown command may move the arm.
+    pub(super) fn may_move(&self) -> bool {
+        let moves = |info: &CommandInfo| info.effect == Effect::Motion && info.role != Some(Role::Stop);
+        self.info.is_none_or(moves)
     }
 
     /// True if the meaning of poses may change with the command.

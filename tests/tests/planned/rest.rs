@@ -26,6 +26,10 @@ fn to(angle: f64, speed: f64) -> JointMove {
 
 /// Measured speed of the joint, and the greatest speed of an arm at rest.
 fn measured(error: &Error) -> (f64, f64) {
+    if let ErrorKind::NotSent { command, because, .. } = error.kind() {
+        assert_eq!((&**command, error.cause(), error.may_have_run()), ("servo_move", Cause::Moving, false));
+        return measured(because);
+    }
     let ErrorKind::NotAtRest { joint: 1, by_deg, within, speed, rest_speed } = *error.kind() else {
         panic!("{error:?}")
     };
