@@ -1,6 +1,8 @@
 //! Errors of the queries that a call makes before it moves the arm, or before a step of its power: nothing was sent then,
 //! by the bytes that the controller has received, and the error says so.
 
+use std::time::Duration;
+
 use jaka_proto::Envelope;
 use jaka_robot::frames::SetToolId;
 use jaka_robot::jaka_motion::{Limits, Model, Trajectory, Via};
@@ -26,8 +28,11 @@ struct Case {
     call: fn(&mut Robot) -> Result<(), Error>,
 }
 
+/// Timeout for a reply, for entering servo mode, and for a call.
+const SHORT: Duration = Duration::from_millis(500);
+
 fn bare() -> (Arm, Robot) {
-    Arm::simulated().at(START).with_robot()
+    Arm::simulated().at(START).config(|config| config.reply_timeout(SHORT)).with_robot()
 }
 
 fn limited() -> (Arm, Robot) {
@@ -44,15 +49,15 @@ fn framed() -> (Arm, Robot) {
 }
 
 fn without_power() -> (Arm, Robot) {
-    Arm::simulated().without_power().with_robot()
+    Arm::simulated().without_power().config(|config| config.reply_timeout(SHORT)).with_robot()
 }
 
 fn offset() -> JointMove {
-    JointMove::relative([5.0, 0.0, 0.0, 0.0, 0.0, 0.0], 25.0).acceleration(50.0)
+    JointMove::relative([0.5, 0.0, 0.0, 0.0, 0.0, 0.0], 25.0).acceleration(50.0)
 }
 
 fn line() -> MoveL {
-    MoveL::relative([0.0, 0.0, 10.0, 0.0, 0.0, 0.0], 20.0).acceleration(100.0)
+    MoveL::relative([0.0, 0.0, 1.0, 0.0, 0.0, 0.0], 20.0).acceleration(100.0)
 }
 
 const CASES: [Case; 14] = [
@@ -75,29 +80,33 @@ const CASES: [Case; 14] = [
             robot.run(&EndMove::new(jaka_robot::types::Pose::from(pose), 10.0).acceleration(50.0), LONG).map(drop)
         },
     },
-    Case {
-        name: "session",
-        ready: bare,
-        call: |robot| robot.enter_servo_mode(ServoConfig::new())?.send_joint_offset([0.0; 6]),
-    },
+    Case { name: "session", ready: bare, call: |robot| robot.enter_servo_mode(servo())?.send_joint_offset([0.0; 6]) },
     Case {
         name: "session with a filter, within limits",
         ready: framed,
         call: |robot| {
-            let config = ServoConfig::new().filter(SetServoMoveFilter::disabled());
+            let config = servo().filter(SetServoMoveFilter::disabled());
             robot.enter_servo_mode(config)?.send_joint_offset([0.0; 6])
         },
     },
-    Case { name: "stream", ready: limited, call: |robot| robot.stream(&StreamConfig::new()).map(drop) },
-    Case { name: "trajectory", ready: limited, call: |robot| follow(robot, &FollowConfig::new()) },
-    Case { name: "trajectory in other frames", ready: framed, call: |robot| follow(robot, &FollowConfig::new()) },
+    Case { name: "stream", ready: limited, call: |robot| robot.stream(&StreamConfig::new().servo(servo())).map(drop) },
+    Case { name: "trajectory", ready: limited, call: |robot| follow(robot, &FollowConfig::new().servo(servo())) },
+    Case {
+        name: "trajectory in other frames",
+        ready: framed,
+        call: |robot| follow(robot, &FollowConfig::new().servo(servo())),
+    },
     Case { name: "power up", ready: without_power, call: |robot| robot.power_up(LONG) },
     Case { name: "power down", ready: bare, call: |robot| robot.power_down(LONG) },
 ];
 
+fn servo() -> ServoConfig {
+    ServoConfig::new().enter_timeout(SHORT)
+}
+
 fn follow(robot: &mut Robot, config: &FollowConfig) -> Result<(), Error> {
     let mut end = START;
-    end[0] += 5.0;
+    end[0] += 0.5;
     let points = [Via::joints(START), Via::joints(end)];
     let checker = robot.limits().expect("it has some");
     let trajectory = Trajectory::through(points).joint_speeds([20.0; 6]).build(checker).expect("within them");
