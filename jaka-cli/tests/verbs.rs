@@ -52,6 +52,42 @@ fn up_and_down_send_what_is_needed() {
 }
 
 #[test]
+fn down_leaves_the_power_to_an_arm_that_moves() {
+    let controller = Arm::real_time().at([0.0, 90.0, 90.0, 90.0, -90.0, 0.0]).start();
+    let far = "call joint_move --mode absolute --joint-position 300,90,90,90,-90,0 --speed 5 --acceleration 100 --yes";
+    assert_eq!(run(&controller, far).code, Some(0));
+    for line in ["down --yes", "down --yes --without-joints"] {
+        let down = run(&controller, line);
+        assert_eq!((down.code, down.out.as_str()), (Some(20), ""), "{down:?}");
+        let [fact, hint] = down.err.lines().collect::<Vec<_>>()[..] else { panic!("{down:?}") };
+        assert!(
+            fact.starts_with("error: `disable_robot` was not sent: the arm is moving: joint 1 turned by "),
+            "{fact}"
+        );
+        assert_eq!(hint, "hint: `jaka stop` stops it; try again once it is at rest");
+    }
+    let sent = changes(&controller);
+    assert!(sent.len() == 1 && sent[0].contains("joint_move"), "{sent:?}");
+    assert!(controller.state().powered && !controller.state().at_rest);
+}
+
+#[test]
+fn down_of_an_arm_without_joints_takes_an_option() {
+    let controller = Arm::real_time().start();
+    let refused = r#"{"errorCode": "2", "errorMsg": "no", "cmdName": "get_joint_pos"}"#;
+    (0..20).for_each(|_| controller.inject_for("get_joint_pos", Fault::Instead(refused.as_bytes().to_vec())));
+    expect![[r"
+        error: `disable_robot` was not sent: the controller refused `get_joint_pos` with code 2: no
+        hint: look at the arm; `jaka down --without-joints` powers it down all the same
+        exit code 20
+    "]]
+    .assert_eq(&run(&controller, "down --yes").text());
+    assert!(changes(&controller).is_empty());
+    let down = run(&controller, "down --yes --without-joints");
+    assert_eq!((down.code, down.out.as_str()), (Some(0), "the arm has no power\n"), "{down:?}");
+}
+
+#[test]
 fn up_tells_how_far_it_has_come() {
     let without_times = |text: &str| text.replace(|c: char| c.is_ascii_digit(), "0");
     let notes = |controller: &Controller, line: &str| {

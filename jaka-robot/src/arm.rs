@@ -4,6 +4,7 @@ mod guards;
 #[cfg(all(test, shuttle))]
 mod interleavings;
 mod position;
+mod rest;
 mod state;
 mod status;
 mod stillness;
@@ -21,7 +22,9 @@ use jaka_proto::{ErrorCode, Refusal};
 use jaka_sync::layer::{AttachedRobot, ClientParts as _, Leading, Link, Owner, Stops, told};
 
 pub(crate) use self::guards::{GuardProgress, PacketObserver};
+pub use self::position::wait_for_rest;
 pub(crate) use self::position::{Answer, Position, QUERY_PERIOD, SETTLING};
+pub(crate) use self::rest::REST_SPEED;
 use self::state::not_acknowledged;
 pub(crate) use self::state::{ArmState, Sending, kept_back};
 pub(crate) use self::status::unknown;
@@ -214,11 +217,7 @@ impl Arm {
         if !self.stops().needs_rest() {
             return Ok(());
         }
-        self.position.note_rest(false);
-        if self.position.comes_to_rest(timeout.min(REST))? {
-            return Ok(());
-        }
-        Err(self.not_ready(Explanation::Moving))
+        self.position.wait_for_rest(timeout.min(REST)).map(drop)
     }
 
     /// Sends a command; its reply is polled for, as in [`Link::ask`].

@@ -143,13 +143,43 @@ impl Error {
     pub fn exchanges(&self) -> &[Entry] {
         match self.kind() {
             ErrorKind::Connection(error) if self.0.exchanges.is_empty() => error.exchanges(),
+            ErrorKind::NotSent { because, .. } => because.exchanges(),
             _ => &self.0.exchanges,
         }
     }
 
-    /// Error of the connection, if a call of it failed.
+    /// Error of the connection, if a call of it failed: this one, or a query before it.
     pub fn connection(&self) -> Option<&jaka_sync::Error> {
-        if let ErrorKind::Connection(error) = self.kind() { Some(error) } else { None }
+        match self.kind() {
+            ErrorKind::Connection(error) => Some(error),
+            ErrorKind::NotSent { because, .. } => because.connection(),
+            _ => None,
+        }
+    }
+
+    /// Error for a command that was not sent because of this error of a query before it. Errors that say so themselves
+    /// stay.
+    pub(crate) fn before(self, command: &str) -> Self {
+        let remedy = match self.kind() {
+            ErrorKind::Connection(_) | ErrorKind::Refused { .. } | ErrorKind::NotAtRest { .. } => {
+                self.remedy_of_event()
+            }
+            _ => return self,
+        };
+        self.before_with(
+            command,
+            match remedy {
+                // Nothing of this call has to be stopped.
+                Remedy::ConnectAndStop => Remedy::Connection(jaka_sync::Remedy::FreeSeat),
+                Remedy::None | Remedy::SeeError => Remedy::Connection(jaka_sync::Remedy::TryAgain),
+                other => other,
+            },
+        )
+    }
+
+    /// Error for a command that was not sent because of this error, with this remedy.
+    pub(crate) fn before_with(self, command: &str, remedy: Remedy) -> Self {
+        ErrorKind::NotSent { command: command.to_owned(), because: self, remedy }.into()
     }
 
     /// Error of an end other than the commanded one.

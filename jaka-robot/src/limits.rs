@@ -8,7 +8,7 @@ use std::time::Duration;
 use jaka_motion::{Beyond, Checker, Frames, Limits, Model, Point, Region, RegionFrame, Tolerance};
 use jaka_proto::Command;
 use jaka_proto::messages::kinematics::KineForward;
-use jaka_proto::messages::servo::{ServoJ, ServoP, SetServoMode};
+use jaka_proto::messages::servo::{ServoJ, ServoP};
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_sync::layer::ClientParts as _;
 
@@ -114,19 +114,19 @@ impl LimitChecks {
         }
     }
 
-    /// Before servo mode is used: the checker's frames are the controller's.
+    /// Before `command`, which enters servo mode or uses it: the checker's frames are the controller's.
     pub(crate) fn prepare_set_points(
         &mut self,
         arm: &mut Arm,
         (start, pose): (JointPosition, Option<Pose>),
+        command: &str,
         timeout: Duration,
     ) -> Result<(), Error> {
         let Some(limited) = &mut self.0 else { return Ok(()) };
         limited.warning = None;
-        let name = SetServoMode::INFO.name;
         let framed = match pose {
-            Some(pose) => limited.follow_frames(arm, (start, pose), name, timeout),
-            None => Err(not_checked(arm, name, Unchecked::Start)),
+            Some(pose) => limited.follow_frames(arm, (start, pose), command, timeout),
+            None => Err(not_checked(arm, command, Unchecked::Start)),
         };
         framed.or_else(|error| limited.judged(error))
     }

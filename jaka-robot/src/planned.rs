@@ -95,11 +95,12 @@ impl Moving<'_> {
         self.arm.link().check_open(motion.info.name)?;
         self.arm.check_acknowledged()?;
         let left = || since.left_of(timeout);
-        self.arm.rest_after_stop(left())?;
-        let begin = self.begin(motion, left())?;
+        let not_sent = |error: Error| error.before(motion.info.name);
+        self.arm.rest_after_stop(left()).map_err(not_sent)?;
+        let begin = self.begin(motion, left()).map_err(not_sent)?;
         let beginning = if self.planned.has_motions() { Beginning::InQueue } else { Beginning::AtRest(begin.start) };
         let times = (self.planned.grace.time, left());
-        let end = self.limits.check_motion(self.arm, motion, beginning, times)?;
+        let end = self.limits.check_motion(self.arm, motion, beginning, times).map_err(not_sent)?;
         let gate = self.arm.gate(Sending::Motion);
         let guarded = || gate().and_then(|()| guard.map_or(Ok(()), Armed::let_out));
         let sent = self.arm.client().call_written(Some(&guarded), (motion.info, motion.request), left());
@@ -205,11 +206,12 @@ impl Moving<'_> {
 
     /// Waits until an arm that was stopped rests, and notes that in the end: true if it does.
     fn come_to_rest(&mut self, end: &mut End, stop: &Sent) -> bool {
-        let rest = if stop.accepted.is_ok() { self.arm.position.comes_to_rest(REST) } else { Ok(false) };
-        let is_at_rest = matches!(rest, Ok(true));
-        self.arm.position.note_rest(is_at_rest);
+        let rest = stop.accepted.is_ok().then(|| self.arm.position.wait_for_rest(REST));
+        let is_at_rest = matches!(rest, Some(Ok(_)));
         end.rest = if is_at_rest { Rest::Answers } else { Rest::NotSeen };
-        end.error = rest.err();
+        // An arm that still brakes is in order.
+        let failure = rest.and_then(Result::err).filter(|error| error.is_disconnected() || error.is_timeout());
+        end.error = failure;
         is_at_rest
     }
 

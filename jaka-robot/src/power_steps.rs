@@ -10,10 +10,13 @@ use jaka_proto::messages::power::{DisableRobot, EnableRobot, GetRobotState, GetR
 use jaka_sync::layer::{ClientParts as _, Stops, describe};
 
 use crate::arm::{Arm, unknown};
-use crate::{Error, ErrorKind, Explanation, StatusProblem};
+use crate::{Error, ErrorKind, Explanation, Remedy, StatusProblem};
 
 /// Period of the queries for the state.
 const QUERY_PERIOD: Duration = Duration::from_millis(100);
+
+/// Longest wait for rest before the arm loses its power: one that is about to rest need not be refused.
+const REST: Duration = Duration::from_millis(500);
 
 /// Wait until the next query: it may end with an error.
 type Pause = fn(&Arm, Duration) -> Result<(), Error>;
@@ -53,11 +56,15 @@ struct Steps<'o> {
     accepted: Vec<String>,
     /// Steps that are yet to be sent.
     rest: Vec<&'static str>,
+    /// Connection, and the number of its commands that may have moved the arm before it was seen at rest; `None` for
+    /// steps that a moving arm may take.
+    moves: Option<u64>,
 }
 
 impl<'o> Steps<'o> {
     fn new(arm: &Arm, timeout: Duration, stop: Option<u64>, observer: Observer<'o>) -> Self {
-        Self { observer, since: arm.clock().stopwatch(), timeout, stop, accepted: Vec::new(), rest: Vec::new() }
+        let (since, accepted, rest, moves) = (arm.clock().stopwatch(), Vec::new(), Vec::new(), None);
+        Self { observer, since, timeout, stop, accepted, rest, moves }
     }
 
     fn left(&self) -> Duration {
@@ -73,7 +80,19 @@ impl<'o> Steps<'o> {
         (self.observer)(step);
     }
 
-    /// Fails once a stop has begun that counts. As a gate it lets no step out after that.
+    /// Gate of a step: fails once a stop has begun that counts, or the arm may move again.
+    fn check(&self, stops: &Stops, step: &str) -> Result<(), Error> {
+        self.check_stops(stops)?;
+        match self.moves {
+            Some(before) if stops.moves() != before => {
+                let moving = Error::from(ErrorKind::NotReady { explanation: Explanation::Moving });
+                Err(moving.before_with(step, Remedy::WaitForRest))
+            }
+            Some(_) | None => Ok(()),
+        }
+    }
+
+    /// Fails once a stop has begun that counts.
     fn check_stops(&self, stops: &Stops) -> Result<(), Error> {
         if self.stop == Some(stops.begun()) {
             return Ok(());
@@ -88,7 +107,7 @@ pub(crate) fn up(arm: &mut Arm, timeout: Duration, observer: Observer<'_>) -> Re
     let mut steps = Steps::new(arm, timeout, arm.stops().settled(), observer);
     arm.wait_for_status(|_| true, timeout)?;
     check_emergency_stop(arm, Duration::ZERO)?;
-    let state = arm.queries().call_within(&GetRobotState::new(), steps.left())?;
+    let state = state_before(arm, PowerOn::INFO.name, steps.left())?;
     steps.rest.extend((!state.powered_on).then_some(PowerOn::INFO.name));
     steps.rest.extend((!state.enabled).then_some(EnableRobot::INFO.name));
     if !state.powered_on {
@@ -102,11 +121,21 @@ pub(crate) fn up(arm: &mut Arm, timeout: Duration, observer: Observer<'_>) -> Re
 }
 
 /// Disables the arm and switches its power off: see [`Robot::power_down_with`](crate::Robot::power_down_with).
-pub(crate) fn down(arm: &mut Arm, timeout: Duration, observer: Observer<'_>) -> Result<(), Error> {
+pub(crate) fn down(
+    arm: &mut Arm,
+    needs_rest: NeedsRest,
+    timeout: Duration,
+    observer: Observer<'_>,
+) -> Result<(), Error> {
     let mut steps = Steps::new(arm, timeout, Some(arm.stops().begun()), observer);
-    let state = arm.queries().call_within(&GetRobotState::new(), steps.left())?;
+    let state = state_before(arm, DisableRobot::INFO.name, steps.left())?;
     steps.rest.extend(state.enabled.then_some(DisableRobot::INFO.name));
     steps.rest.extend(state.powered_on.then_some(PowerOff::INFO.name));
+    if let Some(first) = steps.rest.first() {
+        let before = arm.stops().moves();
+        needs_rest.check(arm, first, steps.left())?;
+        steps.moves = Some(before);
+    }
     if state.enabled {
         switch(arm, &DisableRobot::new(), |state| !state.enabled, &mut steps, pause)?;
     }
@@ -115,6 +144,34 @@ pub(crate) fn down(arm: &mut Arm, timeout: Duration, observer: Observer<'_>) -> 
     }
     arm.wait_for_status(|status| status.powered_on != Some(true) && status.enabled != Some(true), steps.left())?;
     steps.check_stops(arm.stops())
+}
+
+/// State of the arm by the controller, before the first step.
+fn state_before(arm: &mut Arm, first: &str, timeout: Duration) -> Result<GetRobotStateReply, Error> {
+    let state = arm.queries().call_within(&GetRobotState::new(), timeout);
+    state.map_err(|error| Error::from(error).before(first))
+}
+
+/// Rule for an arm that is to lose its power.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum NeedsRest {
+    /// It must be seen at rest.
+    Seen,
+    /// It must not be seen to move: its controller may not report the joints.
+    UnlessUnknown,
+}
+
+impl NeedsRest {
+    /// Fails, for the first step, if the arm is not at rest.
+    fn check(self, arm: &mut Arm, first: &str, timeout: Duration) -> Result<(), Error> {
+        let Err(error) = arm.position.wait_for_rest(REST.min(timeout)) else { return Ok(()) };
+        let is_unknown = !matches!(error.kind(), ErrorKind::NotAtRest { .. }) && !error.is_disconnected();
+        match self {
+            Self::UnlessUnknown if is_unknown => Ok(()),
+            Self::Seen if is_unknown => Err(error.before_with(first, Remedy::PowerDownUnseen)),
+            Self::Seen | Self::UnlessUnknown => Err(error.before(first)),
+        }
+    }
 }
 
 /// Sends the next step, and waits until the controller says that it has done it.
@@ -130,10 +187,10 @@ fn switch<C: Command>(
     if steps.left().is_zero() {
         return Err(not_in_time(arm, steps.timeout, since));
     }
-    steps.check_stops(&stops)?;
+    steps.check(&stops, C::INFO.name)?;
     let sent = arm.clock().stopwatch();
     steps.tell(PowerStep { command: C::INFO.name, took: None });
-    let gate = || steps.check_stops(&stops);
+    let gate = || steps.check(&stops, C::INFO.name);
     let accepted = arm.client().call_through(Some(&gate), command, steps.left());
     accepted.map_err(|error| arm.explained(error.into(), steps.left()))?;
     steps.accepted.push(steps.rest.remove(0).to_owned());

@@ -18,6 +18,7 @@ use crate::input_wait::wait_for;
 use crate::limits::LimitChecks;
 use crate::motions::PlannedMotion;
 use crate::planned::{Moving, Planned};
+use crate::power_steps::NeedsRest;
 use crate::preflight::Preflight;
 use crate::servo_session::{LedArm, ServoSession};
 use crate::{
@@ -88,6 +89,7 @@ pub struct Robot<S: MotionStatus = RobotStatus> {
     pub(crate) arm: Arm,
     limits: LimitChecks,
     planned: Planned,
+    needs_rest: NeedsRest,
 }
 
 impl<S: MotionStatus> Robot<S> {
@@ -179,18 +181,19 @@ impl<S: MotionStatus> Robot<S> {
     /// As [`new`](Robot::new).
     pub fn with_monitor(client: Client, monitor: impl Into<Arc<Monitor<S>>>) -> Result<Self, HasRobot> {
         let monitor = monitor.into();
-        let RobotConfig { grace, silence, needs_status, .. } = RobotConfig::new();
+        let RobotConfig { grace, silence, needs_status, needs_rest, .. } = RobotConfig::new();
         let arm = Arm::new(client, &monitor, needs_status).map_err(|client| HasRobot { client })?;
-        Ok(Self { monitor, arm, limits: LimitChecks::default(), planned: Planned::new(grace, silence) })
+        Ok(Self { monitor, arm, limits: LimitChecks::default(), planned: Planned::new(grace, silence), needs_rest })
     }
 
     /// Applies options. Those that are not set in `config` are the defaults.
     ///
     /// # Errors
     /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model,
-    /// [`ErrorKind::InvalidOption`] if a preset of the limits requires collision detection and it is off, and as
-    /// [`Client::call`]; nothing has changed then.
+    /// [`ErrorKind::InvalidOption`] for an invalid value, and if a preset of the limits requires collision detection
+    /// and it is off, and as [`Client::call`]; nothing has changed then.
     pub fn configure(&mut self, config: &RobotConfig) -> Result<(), Error> {
+        config.check()?;
         if let Some(limits) = &config.limits {
             config.waived.check(&mut self.arm, limits.preset())?;
         }
@@ -199,6 +202,8 @@ impl<S: MotionStatus> Robot<S> {
             None => LimitChecks::default(),
         };
         (self.planned.grace, self.planned.silence) = (config.grace, config.silence);
+        self.arm.position.set_rest_speed(config.rest_speed);
+        self.needs_rest = config.needs_rest;
         self.arm.state.set_needs_status(config.needs_status);
         Ok(())
     }
@@ -248,6 +253,9 @@ impl<S: MotionStatus> Robot<S> {
     /// (`get_robot_state`, 4.12), and waits until the status packets say so, too. A step that is done already is left
     /// out.
     ///
+    /// An arm that moves keeps its power: without it, it would fall into its brakes. Stop it, wait for its
+    /// [rest](Self::wait_for_rest), and power it down then. Not every controller refuses to disable an arm that moves.
+    ///
     /// # Errors
     /// As [`power_down_with`](Self::power_down_with).
     #[doc(alias = "disable_robot")]
@@ -260,7 +268,10 @@ impl<S: MotionStatus> Robot<S> {
     /// before each step and when it is done.
     ///
     /// # Errors
-    /// - [`ErrorKind::Refused`]: the controller does not disable an arm that moves or runs a program (4.4).
+    /// - [`ErrorKind::NotSent`]: the arm [is not at rest](ErrorKind::NotAtRest), something that may move it was sent
+    ///   through any handle of the connection since it was seen at rest, or the controller does not report the joints:
+    ///   for that, see [`RobotConfig::allow_power_down_without_joints`].
+    /// - [`ErrorKind::Refused`]: the controller does not disable an arm that runs a program (4.4).
     /// - [`ErrorKind::Stopped`]: a [`RobotStop`](crate::RobotStop) has begun during the call. No further step is sent
     ///   then.
     /// - [`StateTimeout`](jaka_sync::ErrorKind::StateTimeout): the state did not come in time; with what the last
@@ -268,7 +279,7 @@ impl<S: MotionStatus> Robot<S> {
     /// - [`StatusTimeout`](jaka_sync::ErrorKind::StatusTimeout): no status packet came.
     /// - Otherwise as [`Client::call`](crate::Client::call). No reply is waited for beyond `timeout`.
     pub fn power_down_with(&mut self, timeout: Duration, mut observer: impl FnMut(PowerStep)) -> Result<(), Error> {
-        power_steps::down(&mut self.arm, timeout, &mut observer)
+        power_steps::down(&mut self.arm, self.needs_rest, timeout, &mut observer)
     }
 
     /// Sends a motion and waits for its end; [under a guard](crate::MotionExt::guard) also for its trip.
@@ -307,6 +318,19 @@ impl<S: MotionStatus> Robot<S> {
     #[doc(alias = "wait_complete")]
     pub fn wait(&mut self, timeout: Duration) -> End {
         self.moving().wait(timeout)
+    }
+
+    /// Waits until the arm is at rest, by the controller's answers: until no joint has turned faster than
+    /// [`RobotConfig::rest_speed`] over three of them (`get_joint_pos`, 4.49), 100 ms apart.
+    ///
+    /// An arm that rests stays at rest only if nothing moves it: a motion through another handle, a program of the
+    /// controller, a person. The wait takes as long as three answers at least.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotAtRest`] if the arm still moves after `timeout`, with the speed of its fastest joint; otherwise
+    /// as [`Client::call`], if the controller does not report the joints.
+    pub fn wait_for_rest(&mut self, timeout: Duration) -> Result<(), Error> {
+        self.arm.position.wait_for_rest(timeout).map(drop)
     }
 
     /// Occurrence that must be acknowledged before the arm moves again, if there is one.

@@ -1,6 +1,7 @@
 //! `jaka down`: disable and power off.
 
 use clap::Args;
+use jaka_robot::RobotConfig;
 use jaka_sync::power::{DisableRobot, PowerOff};
 
 use super::up::PATIENCE;
@@ -10,10 +11,13 @@ use crate::terminal::output;
 
 /// Disable the arm and switch its power off, each step after the previous one is done
 ///
-/// Steps already done are not sent. The controller does not disable an arm that moves or runs a program: use
-/// `jaka stop` first.
+/// Steps already done are not sent. Nothing is sent while the arm moves, by three answers of the controller: use
+/// `jaka stop` first. The controller does not disable an arm that runs a program.
 #[derive(Debug, Args)]
 pub(crate) struct Down {
+    /// Power down also if the controller does not report the joints, so that it is not known whether the arm moves
+    #[arg(long)]
+    without_joints: bool,
     #[command(flatten)]
     act: ActArgs,
 }
@@ -23,7 +27,12 @@ impl Down {
         let act = self
             .act
             .begin("be disabled and lose its power", &[intent(&DisableRobot::new())?, intent(&PowerOff::new())?])?;
-        act.with_steps(|robot| robot.power_down(act.patience(PATIENCE)))?;
+        let config = RobotConfig::new();
+        let config = if self.without_joints { config.allow_power_down_without_joints() } else { config };
+        act.with_steps(|robot| {
+            robot.configure(&config)?;
+            robot.power_down(act.patience(PATIENCE))
+        })?;
         output::line("the arm has no power")
     }
 }

@@ -88,6 +88,16 @@ jaka_proto::worded! {
             /// Cause of the end of the connection.
             cause: Arc<Disconnect>,
         } => (commands_lost(address, what, cause)),
+        /// A command was not sent, because a query before it failed, or showed that the arm moves. Nothing that moves the
+        /// arm was sent, nor a step that concerns its power.
+        NotSent {
+            /// `cmdName` of the command.
+            command: String,
+            /// Error of the query, or of the arm that moves.
+            because: Error,
+            /// Remedy for it.
+            remedy: Remedy,
+        } => (format!("`{command}` was not sent: {}", because.kind())),
         /// A motion was not sent, because it could not be stopped within the overtravel of a limit of force, or that is
         /// not known.
         NotGuarded {
@@ -133,6 +143,20 @@ jaka_proto::worded! {
             /// State that keeps it from doing so.
             explanation: Explanation,
         } => "the robot cannot do this now: {explanation}",
+        /// The controller's answers do not show the arm at rest: a joint turned faster over the last three than
+        /// [`RobotConfig::rest_speed`](crate::RobotConfig::rest_speed) allows. Nothing that moves the arm was sent.
+        NotAtRest {
+            /// The joint that turned fastest, 1 to 6.
+            joint: usize,
+            /// Difference between the greatest and the smallest of its three positions, in degrees.
+            by_deg: f64,
+            /// Least time in which it turned so far.
+            within: Duration,
+            /// Its speed by that, in deg/s.
+            speed: f64,
+            /// Greatest speed of an arm at rest, in deg/s.
+            rest_speed: f64,
+        } => (not_at_rest(*joint, *by_deg, *within, (*speed, *rest_speed))),
         /// A motion or a set-point was not sent, because it is beyond a limit of the robot.
         BeyondLimit {
             /// `cmdName` of the command.
@@ -313,6 +337,8 @@ impl ErrorKind {
             Self::GuardTripped { trip } => trip.cause(),
             Self::NotStopped { first, stopping } => Sequence::new(first, stopping).cause(),
             Self::SetPointLate { .. } => Cause::SetPointLate,
+            Self::NotSent { because, .. } => because.cause(),
+            Self::NotAtRest { .. } => Cause::Moving,
             Self::SessionEnded { cause, .. } => *cause,
             Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.cause,
             Self::Stopped { .. } => Cause::Stopped,
@@ -349,6 +375,7 @@ impl ErrorKind {
     pub(super) fn event(&self) -> String {
         let text = match self {
             Self::NotAcknowledged { occurrence } => occurrence.to_string(),
+            Self::NotSent { because, .. } => because.kind().event(),
             Self::NotReady { explanation } => explanation.to_string(),
             Self::StatusUnknown { problem } => problem.to_string(),
             Self::Refused { refusal, .. } => refusal.to_string(),
@@ -367,6 +394,7 @@ impl ErrorKind {
             Self::NotReached { end } => end.evidence().clone(),
             Self::FramesChanged { change } => Evidence::Frames(*change),
             Self::Connection(error) => evidence(error),
+            Self::NotSent { because, .. } => because.kind().evidence(),
             Self::RestNotSeen { first: Some(first), .. }
             | Self::NotLanded { first, .. }
             | Self::ServoModeNotLeft { first: Some(first), .. }
@@ -384,7 +412,7 @@ impl ErrorKind {
             Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => problem.remedy().into(),
             Self::NotShown { reason, .. } => reason.remedy(),
             Self::NotGuarded { reason, .. } => reason.remedy(),
-            Self::SessionEnded { remedy, .. } => *remedy,
+            Self::SessionEnded { remedy, .. } | Self::NotSent { remedy, .. } => *remedy,
             Self::NotStopped { first, stopping } => Sequence::new(first, stopping).remedy(),
             Self::ServoModeNotLeft { first, leaving } => Sequence::new(first.as_ref(), leaving).remedy(),
             Self::NotLanded { first, landing } => Sequence::new(first, landing).remedy(),
@@ -405,6 +433,7 @@ impl ErrorKind {
             Self::PortInAddress { .. } => Remedy::LeaveOutPort,
             Self::HasRobot => Remedy::UseOneRobot,
             Self::NotChecked { reason, .. } => reason.remedy(),
+            Self::NotAtRest { .. } => Remedy::WaitForRest,
             Self::RealtimePriority { source, .. } if source.kind() == io::ErrorKind::PermissionDenied => {
                 Remedy::AllowRealtimePriority
             }
@@ -458,7 +487,11 @@ impl ErrorKind {
                 may_have_run: end.phase() != Phase::NotSent,
                 source: end.source(),
             },
+            // It is no refusal of the command.
+            Self::NotSent { because, .. } if because.is_refused() => other.source(because.source()),
+            Self::NotSent { because, .. } => Meaning { may_have_run: false, ..because.kind().meaning() },
             Self::NotReady { .. }
+            | Self::NotAtRest { .. }
             | Self::SetPointLate { .. }
             | Self::SessionEnded { .. }
             | Self::NotShown { .. }
@@ -563,6 +596,13 @@ fn named(commands: &[String]) -> String {
         return "nothing".to_owned();
     }
     commands.iter().map(|command| format!("`{command}`")).collect::<Vec<_>>().join(", ")
+}
+
+fn not_at_rest(joint: usize, by_deg: f64, within: Duration, (speed, rest_speed): (f64, f64)) -> String {
+    format!(
+        "the arm is moving: joint {joint} turned by {by_deg:.3} deg within {within:.1?} ({speed:.2} deg/s), and at rest it \
+         turns at most at {rest_speed} deg/s"
+    )
 }
 
 fn not_at_start(joint: usize, at_deg: f64, start_deg: f64) -> String {

@@ -1,6 +1,8 @@
 //! Checks before the first set-point: the trajectory is within the limits, and the arm is at its start.
 
 use jaka_motion::{Checker, Follower, JointSpeed, Trajectory};
+use jaka_proto::Command;
+use jaka_proto::messages::servo::SetServoMode;
 use jaka_proto::messages::types::JointPosition;
 
 use super::FollowConfig;
@@ -28,7 +30,7 @@ pub(super) fn check(
     check_shows_joints(arm, timeout)?;
     let at = arm.queries().get_joint_pos()?.joint_position;
     let pose = arm.position.tcp_pose(timeout)?;
-    limits.prepare_set_points(arm, (at, pose), timeout)?;
+    limits.prepare_set_points(arm, (at, pose), SetServoMode::INFO.name, timeout)?;
     let checker = limits.checker().ok_or_else(no_limits)?;
     check_limits(checker, trajectory, config, guard)?;
     check_start(checker, at, trajectory, (config, guard))?;

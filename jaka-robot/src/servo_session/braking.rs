@@ -19,6 +19,7 @@ impl Braking {
     /// compile before it is decided.
     pub(super) fn after(error: &Error) -> Self {
         match error.kind() {
+            ErrorKind::NotSent { because, .. } => Self::after(because),
             ErrorKind::NotAcknowledged { occurrence } => Self::after_occurrence(occurrence),
             ErrorKind::StatusUnknown { problem } => Self::after_problem(problem),
             ErrorKind::Connection(error) => Self::after_failure(Failure::of(error)),
@@ -39,6 +40,7 @@ impl Braking {
             | ErrorKind::ModelMismatch { .. }
             | ErrorKind::Departed { .. }
             | ErrorKind::NotAtStart { .. }
+            | ErrorKind::NotAtRest { .. }
             | ErrorKind::Trajectory { .. }
             | ErrorKind::Thread { .. }
             | ErrorKind::RealtimePriority { .. } => Self::Land,

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jaka_motion::Checker;
 use jaka_proto::Command;
-use jaka_proto::messages::servo::{IsInServomove, SetServoMode, SetServoMoveFilter};
+use jaka_proto::messages::servo::{IsInServomove, ServoJ, SetServoMode, SetServoMoveFilter};
 use jaka_proto::messages::types::Switch;
 use jaka_sync::layer::ClientParts as _;
 
@@ -42,19 +42,22 @@ impl<'r> ServoSession<'r> {
         config.check_step_count()?;
         rates.check_themselves()?;
         let priority = config.take_priority()?;
-        rest(arm, has_motions, config.enter_timeout)?;
+        let not_sent = |error: Error| error.before(SetServoMode::INFO.name);
+        rest(arm, has_motions, config.enter_timeout).map_err(not_sent)?;
         let owner = arm.link().new_owner();
-        let lead = Some(arm.lead(owner)?);
+        let lead = Some(arm.lead(owner).map_err(not_sent)?);
         let (frame_changes, under_way) = (arm.link().frame_changes(), arm.under_way());
-        if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
+        let servo_mode = arm.queries().call(&IsInServomove::new()).map_err(|error| not_sent(error.into()))?;
+        if servo_mode.in_servo_mode {
             return Err(arm.not_ready(Explanation::ServoModeOn));
         }
-        check(arm, limits)?;
+        check(arm, limits).map_err(not_sent)?;
         limits.forget_plan();
         if let Some(filter) = &config.filter {
             let gate = arm.gate(Sending::SetPoint);
             let client = arm.client();
-            client.call_through(Some(&gate), filter, client.timeout_of(SetServoMoveFilter::INFO))?;
+            let set = client.call_through(Some(&gate), filter, client.timeout_of(SetServoMoveFilter::INFO));
+            set.map_err(|error| not_sent(error.into()))?;
         }
         let mut session = Self {
             pace: Pace::new(arm.clock(), config.period(), config.busy_wait),
@@ -97,10 +100,15 @@ impl<'r> ServoSession<'r> {
             self.is_open = error.may_have_run();
             return Err(error);
         }
+        self.start(timeout).map_err(|error| error.before(ServoJ::INFO.name))
+    }
+
+    /// Place of the arm in servo mode, before the first set-point.
+    fn start(&mut self, timeout: Duration) -> Result<Course, Error> {
         self.wait_until_entered(timeout)?;
         let start = self.arm.client().get_joint_pos()?.joint_position;
         let pose = self.arm.position.tcp_pose(timeout)?;
-        self.limits.prepare_set_points(self.arm, (start, pose), timeout)?;
+        self.limits.prepare_set_points(self.arm, (start, pose), ServoJ::INFO.name, timeout)?;
         if let Some(limits) = self.limits.checker().map(Checker::limits) {
             let (motions, stops) = (*limits.joint_accelerations(), limits.stop_accelerations());
             self.rates.joint_acceleration = motions;
@@ -126,8 +134,6 @@ impl<'r> ServoSession<'r> {
 /// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and
 /// do not enter it.
 fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error> {
-    // Others may have moved the arm since a wait saw it at rest.
-    arm.position.note_rest(false);
     arm.link().check_open(SetServoMode::INFO.name)?;
     arm.check_acknowledged()?;
     if has_motions {
@@ -135,5 +141,5 @@ fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error
     }
     arm.known_status(timeout)?;
     // Packets may be old: the controller says whether it moves.
-    if arm.position.comes_to_rest(timeout)? { Ok(()) } else { Err(arm.not_ready(Explanation::Moving)) }
+    arm.position.wait_for_rest(timeout).map(drop)
 }

@@ -114,9 +114,7 @@ impl Link {
             };
             state.frame_changes += u64::from(outgoing.changes_frames());
             state.count_change(outgoing);
-            if let Some(number) = outgoing.stop {
-                self.stops.entered(*request, number);
-            }
+            self.stops.entered(*request, outgoing);
         }
     }
 

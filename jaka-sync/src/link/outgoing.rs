@@ -184,6 +184,11 @@ impl<'o> Outgoing<'o> {
         self.info.is_some_and(|info| info.effect == Effect::Query)
     }
 
+    /// True unless the command is known to move nothing. An unknown command may move the arm.
+    pub(super) fn may_move(&self) -> bool {
+        self.role.map_or(self.info.is_none(), Role::moves)
+    }
+
     /// True if the meaning of poses may change with the command.
     pub(super) fn changes_frames(&self) -> bool {
         self.info.is_none_or(|info| info.changes.iter().any(|change| change.concerns_poses()))

@@ -59,6 +59,8 @@ struct State {
     goes_out_at: Option<Instant>,
     /// Stops that were entered and have no reply yet.
     unanswered: Vec<(RequestId, u64)>,
+    /// Number of entered commands that may move the arm.
+    moves: u64,
 }
 
 /// Stops by their numbers from 1.
@@ -236,19 +238,27 @@ impl Stops {
         UnderWay { stops: Arc::clone(self), kind, number }
     }
 
-    /// Records that a stop was entered into the exchange as this request.
-    pub(super) fn entered(&self, request: RequestId, number: u64) {
-        self.state.lock().unanswered.push((request, number));
+    /// Records that a command was entered into the exchange as this request.
+    pub(super) fn entered(&self, request: RequestId, outgoing: &Outgoing<'_>) {
+        let mut state = self.state.lock();
+        state.moves += u64::from(outgoing.may_move());
+        if let Some(number) = outgoing.stop {
+            state.unanswered.push((request, number));
+        }
+    }
+
+    /// Number of commands of all handles so far that may move the arm.
+    pub fn moves(&self) -> u64 {
+        self.state.lock().moves
     }
 
     /// Takes a reply, which may be that to a stop.
     pub(super) fn answered(&self, request: RequestId, is_accepted: bool) {
         let mut state = self.state.lock();
-        let Some(place) = state.unanswered.iter().position(|(stop, _)| *stop == request) else { return };
-        let (_, number) = state.unanswered.swap_remove(place);
-        if !is_accepted {
-            return;
-        }
+        let stop = state.unanswered.iter().find(|(stop, _)| *stop == request).map(|(_, number)| *number);
+        // The replies to earlier ones are lost.
+        state.unanswered.retain(|(stop, _)| *stop > request);
+        let Some(number) = stop.filter(|_| is_accepted) else { return };
         state.latch.accepted = state.latch.accepted.max(number);
         let robot = state.robot.clone();
         drop(state);

@@ -108,14 +108,14 @@ fn an_end_of_a_trajectory_has_its_progress_and_its_lag() {
         &expect![[r#"
         {
           "absent": [],
-          "accepted": 259,
+          "accepted": 258,
           "cycles": 252,
           "frames": {
             "tool": 0,
             "user": 0
           },
           "gaps": 0,
-          "landing_cycles": 7,
+          "landing_cycles": 6,
           "late_cycles": 0,
           "lateness": {
             "max_s": 0.0,
@@ -131,7 +131,7 @@ fn an_end_of_a_trajectory_has_its_progress_and_its_lag() {
             "duration_s": 2.0,
             "has_left_curve": false,
             "lag": {
-              "delay_s": 0.007,
+              "delay_s": 0.011,
               "packets": 68,
               "residual_deg": null,
               "worst_deg": null

@@ -129,7 +129,7 @@ fn what_another_handle_sends_is_known_where_motions_are_checked() {
     other.call(&output()).expect("an output");
     let before = asked(&arm);
     robot.start(&turn()).expect("within the limits");
-    assert_eq!((known_to_rest, asked(&arm) - before), (1, 2));
+    assert_eq!((known_to_rest, asked(&arm) - before), (1, 3));
 }
 
 #[test]

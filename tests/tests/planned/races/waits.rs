@@ -139,12 +139,12 @@ fn questions_before_an_offset(arm: &Arm, robot: &mut Robot) -> usize {
 }
 
 #[test]
-fn where_a_motion_by_an_offset_begins_takes_two_answers_unless_the_last_wait_saw_rest() {
+fn where_a_motion_by_an_offset_begins_takes_three_answers_unless_rest_was_seen() {
     let (arm, mut robot) = arm().with_robot();
-    assert_eq!(questions_before_an_offset(&arm, &mut robot), 2, "nothing is known of the arm");
+    assert_eq!(questions_before_an_offset(&arm, &mut robot), 3, "nothing is known of the arm");
     assert_eq!(questions_before_an_offset(&arm, &mut robot), 1, "the wait has seen it at rest");
     robot.client().get_version().expect("it answers");
-    assert_eq!(questions_before_an_offset(&arm, &mut robot), 2, "the program may have sent a motion");
+    assert_eq!(questions_before_an_offset(&arm, &mut robot), 3, "the program may have sent a motion");
     for _ in 0..20 {
         arm.inject_for("get_joint_pos", refusal("get_joint_pos"));
     }
@@ -152,7 +152,7 @@ fn where_a_motion_by_an_offset_begins_takes_two_answers_unless_the_last_wait_saw
     assert!(end.rest == Rest::Packets && end.error.is_some(), "{end}");
     end.at_rest().expect("nothing shows that it is elsewhere");
     arm.clear_faults();
-    assert_eq!(questions_before_an_offset(&arm, &mut robot), 2, "packets alone have shown rest");
+    assert_eq!(questions_before_an_offset(&arm, &mut robot), 3, "packets alone have shown rest");
 }
 
 /// The arm pauses between two motions where the last one ends.
