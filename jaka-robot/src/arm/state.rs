@@ -11,9 +11,9 @@ use jaka_sync::layer::{MonitorParts as _, StatusNews};
 use jaka_sync::layer::{Wakeup, Watched};
 
 use super::guards::{GuardProgress, Guards, PacketObserver};
-use super::status::{Status, check_stops, unknown};
+use super::status::{Status, check_braking, check_stops, unknown};
 use super::stops::Stops;
-use super::trouble;
+use super::trouble::{self, PacketNews, Since};
 #[cfg(all(test, shuttle))]
 use crate::sync::{Wakeup, Watched};
 use crate::{Cause, Disconnect, Error, ErrorKind, Monitor, MotionStatus, Occurrence, Snapshot, StatusProblem};
@@ -49,8 +49,10 @@ pub(crate) struct ArmState {
 #[derive(Debug)]
 pub(crate) struct Known {
     status: Status,
-    /// Occurrence that must be acknowledged: a stop that a packet has shown, a lost status, or a packet that tells
-    /// nothing because its own type has panicked.
+    /// News of all packets, also of those that newer ones have overtaken.
+    news: PacketNews,
+    /// Occurrence that must be acknowledged: a stop or drag mode that a packet has shown, a lost status, or a packet
+    /// that tells nothing because its own type has panicked.
     latched: Option<Occurrence>,
     /// Stops of the robot's handles.
     pub(crate) stops: Stops,
@@ -73,7 +75,11 @@ impl ArmState {
         monitor.tell_known(|news| match news {
             StatusNews::Packet { packet, .. } => {
                 let packet = S::snapshot(packet);
-                state.lock().status.begin(packet);
+                let mut known = state.lock();
+                if known.status.newest().is_none() {
+                    known.news.take(&packet);
+                }
+                known.status.begin(packet);
             }
             news => state.take(news),
         });
@@ -84,6 +90,7 @@ impl ArmState {
     pub(super) fn before_news(address: String, stale_after: Duration, clock: &Clock, needs_status: bool) -> Self {
         let known = Known {
             status: Status::new(address, stale_after),
+            news: PacketNews::default(),
             latched: None,
             stops: Stops::default(),
             guards: Guards::default(),
@@ -115,6 +122,7 @@ impl ArmState {
         if let Some(found) = found {
             known.latch(found);
         }
+        known.news.take(packet);
         let before = if is_newest { known.status.take(Arc::clone(packet)) } else { None };
         if !known.guards.is_empty() {
             known.unjudged.push(Arc::clone(packet));
@@ -177,19 +185,18 @@ impl ArmState {
                 }
                 known.unacknowledged(told).map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
             }
-            // Also if the status is unknown.
-            Sending::Braking | Sending::Holding => {
+            // These two also if the status is unknown.
+            Sending::Braking => {
+                known.status.fresh_status().map_or(Ok(()), |newest| check_braking(newest))?;
+                let latched = known.latched.clone().filter(|latched| !lets_brake(latched));
+                // Before a stop of the program's own goes out.
+                let sent = || known.stops.pending(told).filter(|_| known.stops.has_sent(told));
+                latched.or_else(sent).map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
+            }
+            Sending::Holding => {
                 known.status.fresh_status().map_or(Ok(()), |newest| check_stops(newest))?;
-                match known.unacknowledged_stop(told) {
-                    None => Ok(()),
-                    // Before a stop of the program's own goes out.
-                    Some(Occurrence { cause: Cause::Stopped, .. })
-                        if what == Sending::Braking && !known.stops.has_sent(told) =>
-                    {
-                        Ok(())
-                    }
-                    Some(occurrence) => Err(not_acknowledged(occurrence)),
-                }
+                let stop = known.unacknowledged_stop(told);
+                stop.map_or(Ok(()), |occurrence| Err(not_acknowledged(occurrence)))
             }
         }
     }
@@ -205,8 +212,7 @@ impl ArmState {
         self.lock().unacknowledged_stop(told)
     }
 
-    /// Keeps motions back from now on. An earlier occurrence stays, but a stop that a packet shows takes the place of a
-    /// lost status.
+    /// Keeps motions back from now on. Of several occurrences the first by [precedence](Cause#precedence) stays.
     pub(crate) fn latch(&self, occurrence: &Occurrence) {
         let occurrence = occurrence.clone();
         self.lock().latch(occurrence);
@@ -229,6 +235,27 @@ impl ArmState {
     /// True if the program has allowed motion without status.
     pub(crate) fn moves_without_status(&self) -> bool {
         !self.lock().needs_status
+    }
+
+    /// News of packets: the first by precedence of those that count.
+    pub(crate) fn news(&self, since: Since, counts: impl Fn(Cause) -> bool) -> Option<Occurrence> {
+        self.lock().news.after(since).find(|occurrence| counts(occurrence.cause))
+    }
+
+    /// First news of packets by precedence, and an event that is in no table: that one counts only at rest.
+    pub(crate) fn news_of_motion(&self, since: Since) -> (Option<Occurrence>, Option<Occurrence>) {
+        let known = self.lock();
+        (known.news.after(since).next(), known.news.unknown_after(since))
+    }
+
+    /// True if the next packet may confirm a loss of power or enabling that the newest one shows.
+    pub(crate) fn has_unconfirmed_news(&self) -> bool {
+        self.lock().news.is_unconfirmed()
+    }
+
+    /// Newest packet by now: news after it is new.
+    pub(crate) fn now_on(&self) -> Since {
+        Since::packet(self.lock().status.newest().map_or(0, |newest| newest.number))
     }
 
     /// Newest packet, which may be old.
@@ -367,7 +394,7 @@ fn take_into<S: MotionStatus>(state: &Weak<ArmState>, news: StatusNews<'_, S>) -
 
 impl Known {
     fn latch(&mut self, found: Occurrence) {
-        if self.latched.as_ref().is_none_or(|first| is_lost(first) && !is_lost(&found)) {
+        if self.latched.as_ref().is_none_or(|first| found.cause < first.cause) {
             self.latched = Some(found);
         }
     }
@@ -384,6 +411,11 @@ impl Known {
 
 fn is_lost(occurrence: &Occurrence) -> bool {
     occurrence.cause == Cause::StatusLost
+}
+
+/// True if set-points may brake the arm after an occurrence that must be acknowledged.
+fn lets_brake(occurrence: &Occurrence) -> bool {
+    is_lost(occurrence) || occurrence.cause == Cause::DragMode
 }
 
 pub(super) fn not_acknowledged(occurrence: Occurrence) -> Error {
