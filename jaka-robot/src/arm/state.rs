@@ -77,7 +77,7 @@ impl ArmState {
                 let packet = S::snapshot(packet);
                 let mut known = state.lock();
                 if known.status.newest().is_none() {
-                    known.news.take(&packet);
+                    known.news.take(&packet.status, packet.number);
                 }
                 known.status.begin(packet);
             }
@@ -122,7 +122,7 @@ impl ArmState {
         if let Some(found) = found {
             known.latch(found);
         }
-        known.news.take(packet);
+        known.news.take(&packet.status, packet.number);
         let before = if is_newest { known.status.take(Arc::clone(packet)) } else { None };
         if !known.guards.is_empty() {
             known.unjudged.push(Arc::clone(packet));
@@ -420,4 +420,28 @@ fn lets_brake(occurrence: &Occurrence) -> bool {
 
 pub(super) fn not_acknowledged(occurrence: Occurrence) -> Error {
     ErrorKind::NotAcknowledged { occurrence }.into()
+}
+
+#[cfg(all(test, not(shuttle)))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_by_precedence_of_what_must_be_acknowledged_stays() {
+        let state = ArmState::before_news(String::new(), Duration::from_secs(1), &Clock::default(), true);
+        let latched = |cause: Cause| {
+            state.latch(&cause.into());
+            state.unacknowledged(None).map(|occurrence| occurrence.cause)
+        };
+        assert_eq!(latched(Cause::StatusLost), Some(Cause::StatusLost));
+        assert_eq!(latched(Cause::DragMode), Some(Cause::DragMode));
+        assert_eq!(latched(Cause::EmergencyStop), Some(Cause::EmergencyStop));
+        for later in [Cause::StatusLost, Cause::DragMode, Cause::ProtectiveStop] {
+            assert_eq!(latched(later), Some(Cause::EmergencyStop));
+        }
+        assert!(state.may_send(Sending::Braking, None).is_err() && state.may_send(Sending::Holding, None).is_err());
+        state.acknowledge();
+        assert_eq!(latched(Cause::DragMode), Some(Cause::DragMode));
+        assert!(state.may_send(Sending::Braking, None).is_ok() && state.may_send(Sending::Holding, None).is_err());
+    }
 }

@@ -2,7 +2,7 @@
 
 use jaka_proto::messages::status::{RobotStatus, TaskState};
 
-use crate::{Cause, ControllerEvent, Explanation, Occurrence, Severity, Snapshot};
+use crate::{Cause, ControllerEvent, Explanation, Occurrence, Severity};
 
 /// A state in a packet that keeps the arm from moving until it has been acknowledged.
 #[derive(Debug, Clone, Copy)]
@@ -93,9 +93,8 @@ pub(super) struct PacketNews {
 }
 
 impl PacketNews {
-    /// Takes the next packet.
-    pub(super) fn take(&mut self, packet: &Snapshot) {
-        let (status, number) = (&packet.status, packet.number);
+    /// Takes the status in the next packet, and the number of the packet.
+    pub(super) fn take(&mut self, status: &RobotStatus, number: u64) {
         for (stop, latest) in Stop::ALL.iter().zip(&mut self.stops) {
             if stop.is_in(status) {
                 *latest = number;
@@ -176,4 +175,82 @@ fn event(status: &RobotStatus) -> Option<(Severity, Occurrence)> {
     let severity = event.map_or(Severity::Unknown, ControllerEvent::severity);
     let message = status.error_message.clone().unwrap_or_default();
     Some((severity, Occurrence::event(code, event, message)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Takes packets that differ from the usual one by this, numbered from 1.
+    fn taken(changes: &[fn(&mut RobotStatus)]) -> PacketNews {
+        let mut news = PacketNews::default();
+        for (number, change) in (1..).zip(changes) {
+            let mut status = RobotStatus::default();
+            (status.powered_on, status.enabled) = (Some(true), Some(true));
+            (status.error_code, status.on_soft_limit) = (Some("0x0".to_owned()), Some(0));
+            change(&mut status);
+            news.take(&status, number);
+        }
+        news
+    }
+
+    fn causes(news: &PacketNews, packet: u64) -> Vec<Cause> {
+        news.after(Since::packet(packet)).map(|occurrence| occurrence.cause).collect()
+    }
+
+    fn usual(_: &mut RobotStatus) {}
+
+    fn unpowered(status: &mut RobotStatus) {
+        status.powered_on = Some(false);
+    }
+
+    fn disabled(status: &mut RobotStatus) {
+        status.enabled = Some(false);
+    }
+
+    /// A packet that tells nothing of power and enabling.
+    fn untold(status: &mut RobotStatus) {
+        (status.powered_on, status.enabled) = (None, None);
+    }
+
+    fn error(status: &mut RobotStatus) {
+        status.error_code = Some("0xF0034".to_owned());
+    }
+
+    fn at_soft_limit(status: &mut RobotStatus) {
+        status.on_soft_limit = Some(1);
+    }
+
+    fn led_by_hand(status: &mut RobotStatus) {
+        status.drag_status = Some(true);
+    }
+
+    #[test]
+    fn lost_power_and_enabling_take_two_packets_in_a_row_after_the_beginning() {
+        assert_eq!(causes(&taken(&[unpowered, usual, unpowered]), 0), []);
+        assert_eq!(causes(&taken(&[unpowered, unpowered]), 0), [Cause::NotPowered]);
+        assert_eq!(causes(&taken(&[disabled, unpowered]), 0), [Cause::NotPowered]);
+        assert_eq!(causes(&taken(&[disabled, untold, disabled]), 0), [Cause::NotEnabled]);
+        // Power that has come back since was lost all the same.
+        let news = taken(&[usual, disabled, disabled, usual, disabled]);
+        assert_eq!((causes(&news, 1), causes(&news, 2)), (vec![Cause::NotEnabled], vec![]));
+        assert!(news.is_unconfirmed() && !taken(&[disabled, usual]).is_unconfirmed());
+    }
+
+    #[test]
+    fn an_event_or_a_soft_limit_counts_from_the_first_packet_that_shows_it() {
+        let news = taken(&[error, error, at_soft_limit, at_soft_limit]);
+        assert_eq!(causes(&news, 0), [Cause::ControllerError, Cause::SoftLimit]);
+        assert_eq!((causes(&news, 1), causes(&news, 3)), (vec![Cause::SoftLimit], vec![]));
+        // Once more.
+        let news = taken(&[error, at_soft_limit, error, at_soft_limit]);
+        assert_eq!((causes(&news, 2), causes(&news, 3)), (causes(&news, 0), vec![Cause::SoftLimit]));
+    }
+
+    #[test]
+    fn a_state_that_must_be_acknowledged_counts_in_each_packet_and_first() {
+        let news = taken(&[led_by_hand, error, led_by_hand, unpowered]);
+        assert_eq!(causes(&news, 0), [Cause::DragMode, Cause::ControllerError]);
+        assert_eq!((causes(&news, 2), causes(&news, 3)), (vec![Cause::DragMode], vec![]));
+    }
 }

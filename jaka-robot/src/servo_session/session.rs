@@ -59,10 +59,14 @@ use crate::{Cause, Error, ErrorKind, Occurrence, Report, Rest, Snapshot};
 /// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stop at once: a
 /// missing set-point after the last one at 175 deg/s is a braking of 21,900 deg/s². So every session ends by a landing,
 /// for any cause: the call that fails, [`land`](Self::land), a drop, a panic, a [`RobotStop`](crate::RobotStop), an
-/// unknown status. The session brakes the arm straight on, all joints in proportion, with the acceleration of
+/// unknown status, or packets that show no power, an arm that is not enabled, an error, a soft limit or drag mode. The
+/// session brakes the arm straight on, all joints in proportion, with the acceleration of
 /// [`ServoConfig`] or, if the robot has limits, of these. Then it holds the last set-point until status packets show
 /// the arm at rest there ([`ServoConfig::rest_timeout`]), and leaves servo mode. A stop by the program itself brakes
 /// first, and then sends `stop_program`.
+///
+/// In drag mode set-points brake the arm only while its joints are known to follow them, and nothing holds the arm
+/// against the hand that leads it.
 ///
 /// A protective stop, an emergency stop and a lost or stalled connection end the session at once, without a landing. No
 /// source states the behaviour of an arm at speed then, or after the program is killed.
@@ -147,7 +151,9 @@ impl ServoSession<'_> {
     /// - [`ErrorKind::FramesChanged`]: the robot has limits that depend on the selected frames. The set-point was not
     ///   sent.
     /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
-    /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop.
+    /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop, or drag mode.
+    /// - [`ErrorKind::RobotState`]: packets, or the controller's answer after a refusal, show no power, an arm that is
+    ///   not enabled, an error of the controller or a soft limit.
     ///   [`Disconnected`](jaka_sync::ErrorKind::Disconnected): the connection is lost.
     /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: one of the ports no longer responds.
     /// - [`ErrorKind::SessionEnded`]: the session had ended before.
