@@ -140,6 +140,9 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
         ) => return Some(remedy.to_string().into()),
         Remedy::ReleaseEmergencyStop => "when nobody is at the arm, release it, then `jaka up`",
         Remedy::ClearError => "when somebody has looked at the arm, `jaka clear` leaves the protective stop",
+        Remedy::LeaveDragMode => {
+            "when nobody has a hand on the arm, end drag mode: `jaka call set_torque_control --enable-flag off`"
+        }
         Remedy::PowerUp => "when somebody has looked at the arm, `jaka up` powers and enables it",
         Remedy::SeeController => "when somebody has looked at the arm, `jaka clear` clears the error",
         Remedy::MoveAway => "when somebody has looked at the arm, `jaka jog` moves it away from the limit",

@@ -31,7 +31,7 @@ pub(crate) use self::status::unknown;
 pub(crate) use self::stillness::Stillness;
 pub use self::stop_handle::RobotStop;
 pub(crate) use self::stop_handle::Sent;
-pub(crate) use self::trouble::{News, code, news};
+pub(crate) use self::trouble::{Since, Stop, lost, stop};
 use crate::error::Attach as _;
 use crate::under_way::UnderWay;
 use crate::{

@@ -4,16 +4,16 @@ use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::arm::{self, Arm, SETTLING};
+use crate::arm::{self, Arm, SETTLING, Since};
 use crate::guard::{Armed, Guard, Watched, watch};
 use crate::{Cause, Error, ErrorKind, Occurrence, Snapshot, StatusProblem, TripReason};
 
 /// Events of the robot during a wait. A state that was there before does not end it: a program may wait for the button
 /// that powers the arm.
 struct WaitEvents {
-    /// Cause that the packets have shown since the wait began.
-    shown: Option<Cause>,
-    code: Option<String>,
+    /// State that packets have shown since before the wait.
+    before: Option<Cause>,
+    since: Since,
     stops: u64,
     /// Occurrence that ends the wait, once there is one.
     found: Option<Occurrence>,
@@ -21,18 +21,8 @@ struct WaitEvents {
 
 impl WaitEvents {
     fn since(arm: &Arm) -> Self {
-        let newest = arm.state.newest_packet();
-        let code = newest.as_ref().and_then(|newest| arm::code(&newest.status)).map(str::to_owned);
-        let mut news = Self { shown: None, code, stops: arm.stops().accepted(), found: None };
-        news.shown = newest.and_then(|newest| news.of(&newest)).map(|occurrence| occurrence.cause);
-        news
-    }
-
-    fn of(&self, packet: &Snapshot) -> Option<Occurrence> {
-        match arm::news(&packet.status, self.code.as_deref())? {
-            arm::News::Ends(occurrence) => Some(occurrence),
-            arm::News::AtRest(_) => None,
-        }
+        let before = arm.state.newest_packet().and_then(|newest| shown(&newest));
+        Self { before, since: arm.state.now_on(), stops: arm.stops().accepted(), found: None }
     }
 
     /// True once something has happened.
@@ -41,13 +31,26 @@ impl WaitEvents {
             self.found = Some(Cause::Stopped.into());
         }
         if let (None, Ok(newest)) = (&self.found, arm.state.fresh_packet()) {
-            let shown = self.of(&newest);
-            let cause = shown.as_ref().map(|occurrence| occurrence.cause);
-            self.found = shown.filter(|_| cause != self.shown);
-            self.shown = cause;
+            self.before = self.before.filter(|before| shown(&newest) == Some(*before));
+            if self.before.is_some() {
+                self.since.states = newest.number;
+            }
+            self.found = arm.state.news(self.since, ends_wait);
         }
         self.found.is_some()
     }
+}
+
+/// State of the arm in a packet that ends a wait.
+fn shown(packet: &Snapshot) -> Option<Cause> {
+    let stop = arm::stop(&packet.status).map(arm::Stop::cause);
+    stop.or_else(|| arm::lost(&packet.status)).filter(|cause| ends_wait(*cause))
+}
+
+/// True for news that ends a wait. A person who leads the arm by hand may press the button that is waited for, and lead
+/// it to a limit.
+fn ends_wait(cause: Cause) -> bool {
+    cause != Cause::DragMode && cause != Cause::SoftLimit
 }
 
 /// Waits until a condition of an input holds: the packet that shows it.

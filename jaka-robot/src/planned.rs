@@ -55,10 +55,10 @@ impl Planned {
 
     fn accepted(&mut self, arm: &Arm, goal: Destination, begin: Begin) {
         // Packets that came before the reply may be older than the motion.
-        let now = arm.clock().now();
+        let (now, packet) = (arm.clock().now(), arm.state.now_on().states);
         self.batch = Some(match self.batch.take() {
-            Some(batch) => batch.then(now, goal, begin),
-            None => Batch::new(now, goal, begin),
+            Some(batch) => batch.then(now, packet, goal, begin),
+            None => Batch::new(now, packet, goal, begin),
         });
     }
 }
@@ -140,7 +140,7 @@ impl Moving<'_> {
         let (changes, by_others) = (self.arm.link().frame_changes(), self.arm.changes_by_others());
         let under_way = self.arm.under_way();
         let frames = GoalFrames { shown: under_way.frames(), changes, by_others };
-        let mut begin = Begin::new(&newest.status, frames, under_way);
+        let mut begin = Begin::new(&newest, frames, under_way);
         (begin.stops, begin.depends_on_frames) = (stops, self.depends_on_frames(motion));
         let is_first_at_rest = !self.planned.has_motions() && begin.at_rest;
         if let Some(quantity) = Quantity::of_start(motion.target).filter(|_| is_first_at_rest) {
@@ -153,7 +153,7 @@ impl Moving<'_> {
     pub(crate) fn wait(&mut self, timeout: Duration) -> End {
         let mut end = self.wait_unless(timeout, &|| false);
         self.settle_cause(&mut end);
-        if end.occurrence.consequence() == Consequence::Stops {
+        if end.occurrence.consequence().stops() {
             let stop = self.arm.stop_handle().end_motion();
             self.take(&stop);
             self.come_to_rest(&mut end, &stop);

@@ -76,7 +76,7 @@ impl From<HasRobot> for Error {
 /// A status packet alone does not end a motion, because it cannot show its age: if packets show the arm in position,
 /// the robot queries the position (`get_joint_pos`, 4.49, or `get_tcp_pos`, 4.50), usually once for each motion.
 ///
-/// After a protective stop, an emergency stop or a silent status port, motions are refused until
+/// After a protective stop, an emergency stop, drag mode or a silent status port, motions are refused until
 /// [`acknowledge`](Self::acknowledge) is called: somebody should have checked the robot first. They are also refused
 /// while the status is stale, missing or unreadable ([`ErrorKind::StatusUnknown`]). Nothing is ever sent again, or
 /// enabled again, automatically.

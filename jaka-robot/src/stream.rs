@@ -15,8 +15,7 @@ pub use self::handle::StreamHandle;
 use crate::ErrorKind;
 use crate::error::OptionName;
 use crate::guard::SetPointGuard;
-use crate::servo_session::check_at_least;
-use crate::servo_session::{LedArm, LentArm};
+use crate::servo_session::{LedArm, LentArm, MOST_DEG, check_at_least};
 use crate::servo_thread::ServoThread;
 use crate::{End, Error, Guard, ServoConfig};
 
@@ -36,7 +35,7 @@ impl Default for StreamConfig {
         Self {
             servo: ServoConfig::new(),
             dynamics: None,
-            max_departure_deg: 5.0,
+            max_departure_deg: MOST_DEG,
             max_gap: Duration::from_millis(100),
             guard: None,
         }

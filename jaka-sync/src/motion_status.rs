@@ -154,7 +154,7 @@ fn untold<S: MotionStatus>(status: &RobotStatus, unfit: &mut Vec<DecodeError>) -
 }
 
 /// Fields of status packets that a robot needs, each with true if the packet has it.
-pub fn needed(status: &RobotStatus) -> [(&'static str, bool); 12] {
+pub fn needed(status: &RobotStatus) -> [(&'static str, bool); 14] {
     [
         ("emergency_stop", status.emergency_stop.is_some()),
         ("protective_stop", status.protective_stop.is_some()),
@@ -162,6 +162,8 @@ pub fn needed(status: &RobotStatus) -> [(&'static str, bool); 12] {
         ("enabled", status.enabled.is_some()),
         ("in_position", status.in_position.is_some()),
         ("joint_actual_position", status.joint_actual_position.is_some()),
+        ("drag_status", status.drag_status.is_some()),
+        ("on_soft_limit", status.on_soft_limit.is_some()),
         ("paused", status.paused.is_some()),
         ("error_code", status.error_code.is_some()),
         ("error_message", status.error_message.is_some()),

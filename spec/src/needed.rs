@@ -46,6 +46,8 @@ pub const NEEDED_FIELDS: &[NeededField] = &[
     required("enabled", "an arm that is disabled is not seen"),
     required("in_position", "packets do not show that the arm moves"),
     required("joint_actual_position", "servo sessions and guards do not see where the joints are"),
+    optional("drag_status", "drag mode is not seen, in which a hand leads the arm"),
+    optional("on_soft_limit", "a soft limit that is hit is not seen"),
     optional("paused", "a motion that is paused ends as stopped"),
     optional("error_code", "an error of the controller is not seen"),
     optional("error_message", "an error of the controller comes without its text"),

@@ -109,6 +109,7 @@ const OF_CAUSES: &[(Cause, u8)] = &[
     (Cause::Stopped, STOPPED),
     (Cause::ProtectiveStop, PROTECTIVE_STOP),
     (Cause::EmergencyStop, EMERGENCY_STOP),
+    (Cause::DragMode, STOPPED),
     (Cause::NotPowered, DISABLED),
     (Cause::NotEnabled, DISABLED),
     (Cause::ControllerError, CONTROLLER_ERROR),

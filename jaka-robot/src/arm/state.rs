@@ -12,8 +12,8 @@ use jaka_sync::layer::{Kept, Stops};
 use jaka_sync::layer::{MonitorParts as _, StatusNews};
 
 use super::guards::{GuardProgress, Guards, PacketObserver};
-use super::status::{Status, check_stops, unknown};
-use super::trouble;
+use super::status::{Status, check_braking, check_stops, unknown};
+use super::trouble::{self, PacketNews, Since};
 #[cfg(all(test, shuttle))]
 use crate::sync::Watched;
 use crate::{
@@ -53,8 +53,10 @@ pub(crate) struct ArmState {
 #[derive(Debug)]
 pub(crate) struct Known {
     status: Status,
-    /// Occurrence that must be acknowledged: a stop that a packet has shown, a lost status, or a packet that tells
-    /// nothing because its own type has panicked.
+    /// News of all packets, also of those that newer ones have overtaken.
+    news: PacketNews,
+    /// Occurrence that must be acknowledged: a stop or drag mode that a packet has shown, a lost status, or a packet
+    /// that tells nothing because its own type has panicked.
     latched: Option<Occurrence>,
     guards: Guards,
     /// Packets that guards have not judged yet.
@@ -76,7 +78,11 @@ impl ArmState {
         monitor.tell_known(|news| match news {
             StatusNews::Packet { packet, .. } => {
                 let packet = S::snapshot(packet);
-                state.lock().status.begin(packet);
+                let mut known = state.lock();
+                if known.status.newest().is_none() {
+                    known.news.take(&packet.status, packet.number);
+                }
+                known.status.begin(packet);
             }
             news => state.take(news),
         });
@@ -87,6 +93,7 @@ impl ArmState {
     pub(super) fn before_news(address: String, stale_after: Duration, stops: &Arc<Stops>, needs_status: bool) -> Self {
         let known = Known {
             status: Status::new(address, stale_after),
+            news: PacketNews::default(),
             latched: None,
             guards: Guards::default(),
             unjudged: Vec::new(),
@@ -118,6 +125,7 @@ impl ArmState {
         if let Some(found) = found {
             known.latch(found);
         }
+        known.news.take(&packet.status, packet.number);
         let before = if is_newest { known.status.take(Arc::clone(packet)) } else { None };
         if !known.guards.is_empty() {
             known.unjudged.push(Arc::clone(packet));
@@ -194,8 +202,12 @@ impl ArmState {
                 }
                 known.latched.as_ref()
             }
-            // Also if the status is unknown.
-            Sending::Braking | Sending::Holding => {
+            // These two also if the status is unknown.
+            Sending::Braking => {
+                known.status.fresh_status().map_or(Ok(()), |newest| check_braking(newest))?;
+                known.latched.as_ref().filter(|latched| !lets_brake(latched))
+            }
+            Sending::Holding => {
                 known.status.fresh_status().map_or(Ok(()), |newest| check_stops(newest))?;
                 known.latched.as_ref().filter(|occurrence| !is_lost(occurrence))
             }
@@ -226,8 +238,7 @@ impl ArmState {
         self.stops.is_held().then(|| Cause::Stopped.into())
     }
 
-    /// Keeps motions back from now on. An earlier occurrence stays, but a stop that a packet shows takes the place of a
-    /// lost status.
+    /// Keeps motions back from now on. Of several occurrences the first by [precedence](Cause#precedence) stays.
     pub(crate) fn latch(&self, occurrence: &Occurrence) {
         let occurrence = occurrence.clone();
         self.lock().latch(occurrence);
@@ -250,6 +261,27 @@ impl ArmState {
     /// True if the program has allowed motion without status.
     pub(crate) fn moves_without_status(&self) -> bool {
         !self.lock().needs_status
+    }
+
+    /// News of packets: the first by precedence of those that count.
+    pub(crate) fn news(&self, since: Since, counts: impl Fn(Cause) -> bool) -> Option<Occurrence> {
+        self.lock().news.after(since).find(|occurrence| counts(occurrence.cause))
+    }
+
+    /// First news of packets by precedence, and an event that is in no table: that one counts only at rest.
+    pub(crate) fn news_of_motion(&self, since: Since) -> (Option<Occurrence>, Option<Occurrence>) {
+        let known = self.lock();
+        (known.news.after(since).next(), known.news.unknown_after(since))
+    }
+
+    /// True if the next packet may confirm a loss of power or enabling that the newest one shows.
+    pub(crate) fn has_unconfirmed_news(&self) -> bool {
+        self.lock().news.is_unconfirmed()
+    }
+
+    /// Newest packet by now: news after it is new.
+    pub(crate) fn now_on(&self) -> Since {
+        Since::packet(self.lock().status.newest().map_or(0, |newest| newest.number))
     }
 
     /// Newest packet, which may be old.
@@ -343,7 +375,7 @@ fn take_into<S: MotionStatus>(state: &Weak<ArmState>, news: StatusNews<'_, S>) -
 
 impl Known {
     fn latch(&mut self, found: Occurrence) {
-        if self.latched.as_ref().is_none_or(|first| is_lost(first) && !is_lost(&found)) {
+        if self.latched.as_ref().is_none_or(|first| found.cause < first.cause) {
             self.latched = Some(found);
         }
     }
@@ -362,6 +394,35 @@ pub(crate) fn kept_back(by: Kept) -> Error {
     }
 }
 
+/// True if set-points may brake the arm after an occurrence that must be acknowledged.
+fn lets_brake(occurrence: &Occurrence) -> bool {
+    is_lost(occurrence) || occurrence.cause == Cause::DragMode
+}
+
 pub(super) fn not_acknowledged(occurrence: Occurrence) -> Error {
     ErrorKind::NotAcknowledged { occurrence }.into()
+}
+
+#[cfg(all(test, not(shuttle)))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_by_precedence_of_what_must_be_acknowledged_stays() {
+        let state = ArmState::before_news(String::new(), Duration::from_secs(1), &Stops::new(&Clock::default()), true);
+        let latched = |cause: Cause| {
+            state.latch(&cause.into());
+            state.unacknowledged().map(|occurrence| occurrence.cause)
+        };
+        assert_eq!(latched(Cause::StatusLost), Some(Cause::StatusLost));
+        assert_eq!(latched(Cause::DragMode), Some(Cause::DragMode));
+        assert_eq!(latched(Cause::EmergencyStop), Some(Cause::EmergencyStop));
+        for later in [Cause::StatusLost, Cause::DragMode, Cause::ProtectiveStop] {
+            assert_eq!(latched(later), Some(Cause::EmergencyStop));
+        }
+        assert!(state.may_send(Sending::Braking).is_err() && state.may_send(Sending::Holding).is_err());
+        state.acknowledge();
+        assert_eq!(latched(Cause::DragMode), Some(Cause::DragMode));
+        assert!(state.may_send(Sending::Braking).is_ok() && state.may_send(Sending::Holding).is_err());
+    }
 }

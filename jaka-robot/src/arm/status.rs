@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use jaka_proto::wire::DecodeError;
 
-use super::trouble;
+use super::trouble::{self, Stop};
 use crate::{Disconnect, Error, ErrorKind, Snapshot, StatusProblem};
 
 /// Newest packet, in the built-in type, and the state of the port since.
@@ -92,10 +92,18 @@ impl Status {
     }
 }
 
-/// Fails if a packet shows a stop, also after the acknowledgement of earlier packets.
+/// Fails if a packet shows a stop or drag mode, also after the acknowledgement of earlier packets.
 pub(super) fn check_stops(newest: &Snapshot) -> Result<(), Error> {
-    let stop = trouble::stop(&newest.status);
-    stop.map_or(Ok(()), |stop| Err(ErrorKind::NotReady { explanation: stop.explanation() }.into()))
+    trouble::stop(&newest.status).map_or(Ok(()), |stop| Err(not_ready(stop)))
+}
+
+/// Fails if a packet shows that no set-point may brake the arm.
+pub(super) fn check_braking(newest: &Snapshot) -> Result<(), Error> {
+    trouble::stop(&newest.status).filter(|stop| !stop.lets_brake()).map_or(Ok(()), |stop| Err(not_ready(stop)))
+}
+
+fn not_ready(stop: Stop) -> Error {
+    ErrorKind::NotReady { explanation: stop.explanation() }.into()
 }
 
 /// Error for actions that need a known status.

@@ -16,6 +16,8 @@ jaka_proto::worded! {
         EmergencyStop => "the emergency stop is pressed",
         /// The robot is in a protective stop: call `clear_error`.
         ProtectiveStop => "the robot is in a protective stop",
+        /// The robot is in drag mode: end it when nobody has a hand on the arm.
+        DragMode => "the robot is in drag mode",
         /// The arm has no power: call `power_on`.
         NotPowered => "the arm has no power",
         /// The arm is not enabled: call `enable_robot`.
@@ -51,6 +53,7 @@ impl Explanation {
         match self {
             Self::EmergencyStop => Cause::EmergencyStop,
             Self::ProtectiveStop => Cause::ProtectiveStop,
+            Self::DragMode => Cause::DragMode,
             Self::NotPowered => Cause::NotPowered,
             Self::NotEnabled => Cause::NotEnabled,
             Self::NotInServoMode | Self::ServoModeOn | Self::ServoModeNotEntered | Self::ServoModeNotLeft => {
@@ -88,6 +91,7 @@ impl Explanation {
             (status.emergency_stop == Some(true)).then_some(Self::EmergencyStop),
             (status.powered_on == Some(false)).then_some(Self::NotPowered),
             (status.protective_stop == Some(true)).then_some(Self::ProtectiveStop),
+            (status.drag_status == Some(true)).then_some(Self::DragMode),
             (status.enabled == Some(false) && needs(Requirement::Enabled)).then_some(Self::NotEnabled),
             event.map(Self::Event),
             (refusal.code == ErrorCode::REJECTED && needs(Requirement::ServoMode)).then_some(Self::NotInServoMode),

@@ -172,6 +172,8 @@ pub(crate) enum Consequence {
     Latched,
     /// They have ended, no other is sent before somebody has acknowledged that, and the arm may still move.
     LatchedMayMove,
+    /// They are not waited for any more, the arm is stopped, and no motion is sent before somebody has acknowledged that.
+    LatchedStops,
     /// They are not waited for any more, and the arm may still move.
     MayMove,
     /// They are not waited for any more, and the arm is stopped.
@@ -192,6 +194,7 @@ impl Consequence {
             | Cause::NotPowered
             | Cause::NotEnabled => Self::Over,
             Cause::ProtectiveStop | Cause::EmergencyStop => Self::Latched,
+            Cause::DragMode => Self::LatchedStops,
             Cause::StatusLost => Self::LatchedMayMove,
             Cause::Deadline | Cause::CommandsLost => Self::GoesOn,
             Cause::FramesChanged => Self::Stops,
@@ -217,15 +220,23 @@ impl Consequence {
     /// True if no motion is sent before somebody has acknowledged it.
     pub(crate) fn latches(self) -> bool {
         match self {
-            Self::Latched | Self::LatchedMayMove => true,
+            Self::Latched | Self::LatchedMayMove | Self::LatchedStops => true,
             Self::Over | Self::MayMove | Self::Stops | Self::GoesOn => false,
+        }
+    }
+
+    /// True if the arm is stopped because of it.
+    pub(crate) fn stops(self) -> bool {
+        match self {
+            Self::Stops | Self::LatchedStops => true,
+            Self::Over | Self::Latched | Self::LatchedMayMove | Self::MayMove | Self::GoesOn => false,
         }
     }
 
     /// True if the arm may still move.
     pub(crate) fn may_move(self) -> bool {
         match self {
-            Self::LatchedMayMove | Self::MayMove | Self::Stops | Self::GoesOn => true,
+            Self::LatchedMayMove | Self::LatchedStops | Self::MayMove | Self::Stops | Self::GoesOn => true,
             Self::Over | Self::Latched => false,
         }
     }

@@ -15,6 +15,9 @@ jaka_proto::worded! {
         ReleaseEmergencyStop => "when nobody is at the arm, release it, then call `acknowledge` and `power_up`",
         /// Clear the protective stop, when somebody has looked at the arm.
         ClearError => "when somebody has looked at the arm, call `clear_error` and `acknowledge`",
+        /// End drag mode, when nobody has a hand on the arm.
+        LeaveDragMode =>
+            "when nobody has a hand on the arm, end drag mode (`set_torque_control` with off), then call `acknowledge`",
         /// Power the arm up, when somebody has looked at it.
         PowerUp => "when somebody has looked at the arm, call `power_up`",
         /// Read the controller's error, and clear it, when somebody has looked at the arm.

@@ -73,14 +73,16 @@ causes! {
     EmergencyStop "emergency_stop" Robot "the emergency stop is pressed" ReleaseEmergencyStop,
     /// The robot is in a protective stop, as after a collision.
     ProtectiveStop "protective_stop" Robot "the robot is in a protective stop" ClearError,
+    /// The robot is in drag mode: a person may have a hand on the arm.
+    DragMode "drag_mode" Robot "the robot is in drag mode" LeaveDragMode,
     /// The connection for commands is lost: no stop can be sent on it.
     CommandsLost "commands_lost" Connection "the command connection is lost, and no stop can be sent on it" ConnectAndStop,
+    /// The controller reports an error.
+    ControllerError "controller_error" Robot "the controller reports an error" SeeController,
     /// The arm has no power.
     NotPowered "not_powered" Robot "the arm has no power" PowerUp,
     /// The arm is not enabled.
     NotEnabled "not_enabled" Robot "the arm is not enabled" PowerUp,
-    /// The controller reports an error.
-    ControllerError "controller_error" Robot "the controller reports an error" SeeController,
     /// A soft limit of the controller was hit.
     SoftLimit "soft_limit" Robot "a soft limit of the controller was hit" MoveAway,
     /// The controller does not accept commands from this client.
@@ -134,6 +136,7 @@ impl Cause {
         match self {
             Self::EmergencyStop
             | Self::ProtectiveStop
+            | Self::DragMode
             | Self::NotPowered
             | Self::NotEnabled
             | Self::ControllerError

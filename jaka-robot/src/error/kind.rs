@@ -247,6 +247,13 @@ jaka_proto::worded! {
             /// Occurrence that has not been acknowledged.
             occurrence: Occurrence,
         } => "not sent: {occurrence}",
+        /// Status packets show a state of the robot that ends set-points: no power, an arm that is not enabled, an error
+        /// of the controller or a soft limit. The servo session, the stream or the trajectory has landed, as far as the
+        /// controller followed set-points.
+        RobotState {
+            /// State, with the evidence for it.
+            occurrence: Occurrence,
+        } => "{occurrence}",
         /// A stop of the program's own has ended a call that sends one step after the other, such as
         /// [`Robot::power_up`](crate::Robot::power_up): no further step was sent.
         Stopped {
@@ -340,7 +347,9 @@ impl ErrorKind {
             Self::NotSent { because, .. } => because.cause(),
             Self::NotAtRest { .. } => Cause::Moving,
             Self::SessionEnded { cause, .. } => *cause,
-            Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.cause,
+            Self::NotAcknowledged { occurrence }
+            | Self::RobotState { occurrence }
+            | Self::WaitBroken { occurrence, .. } => occurrence.cause,
             Self::Stopped { .. } => Cause::Stopped,
             Self::ServoModeNotLeft { first, leaving } => Sequence::new(first.as_ref(), leaving).cause(),
             Self::RestNotSeen { first, .. } => first.as_ref().map_or(Cause::RestNotSeen, Error::cause),
@@ -387,7 +396,9 @@ impl ErrorKind {
     /// Evidence for the cause, besides the error.
     pub(super) fn evidence(&self) -> Evidence {
         match self {
-            Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.evidence.clone(),
+            Self::NotAcknowledged { occurrence }
+            | Self::RobotState { occurrence }
+            | Self::WaitBroken { occurrence, .. } => occurrence.evidence.clone(),
             Self::Refused { explanation: Some(Explanation::Event(event)), .. }
             | Self::NotReady { explanation: Explanation::Event(event) } => Evidence::of_event(*event),
             Self::GuardTripped { trip } => Evidence::Trip(Arc::clone(trip)),
@@ -408,7 +419,9 @@ impl ErrorKind {
         match self {
             Self::NotReached { end } => end.remedy(),
             Self::GuardTripped { trip } => trip.remedy(),
-            Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.remedy(),
+            Self::NotAcknowledged { occurrence }
+            | Self::RobotState { occurrence }
+            | Self::WaitBroken { occurrence, .. } => occurrence.remedy(),
             Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => problem.remedy().into(),
             Self::NotShown { reason, .. } => reason.remedy(),
             Self::NotGuarded { reason, .. } => reason.remedy(),
@@ -479,9 +492,9 @@ impl ErrorKind {
             }
             Self::GuardTripped { trip } => Meaning { may_have_run: !trip.is_before_start, ..other },
             Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => other.source(problem.source()),
-            Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => {
-                other.source(occurrence.source())
-            }
+            Self::NotAcknowledged { occurrence }
+            | Self::RobotState { occurrence }
+            | Self::WaitBroken { occurrence, .. } => other.source(occurrence.source()),
             Self::NotReached { end } => Meaning {
                 group: Group::of(end.cause()),
                 may_have_run: end.phase() != Phase::NotSent,

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::error::OptionName;
 use crate::place::Quantity;
-use crate::servo_session::check_at_least;
+use crate::servo_session::{MOST_DEG, check_at_least};
 use crate::{Error, Guard, ServoConfig};
 
 /// Options of a run that follows a trajectory: see [`Robot::start_follow`](crate::Robot::start_follow).
@@ -29,7 +29,7 @@ impl Default for FollowConfig {
             approach_deg_s: None,
             scale: 1.0,
             deadline: None,
-            max_departure_deg: 5.0,
+            max_departure_deg: MOST_DEG,
             max_gap: Duration::from_millis(100),
             guard: None,
             given_in: Quantity::Pose,

@@ -51,7 +51,7 @@ pub(super) fn run(
     begun.send(Ok(()));
     let (period, most_deg) = (config.servo.period(), config.max_departure_deg);
     let lag = LagFit::new(session.arm.clock().now(), way.last, period);
-    let mut supervision = Supervision::new((way.last, period), most_deg, config.max_gap, guard, Some(lag));
+    let mut supervision = Supervision::new(most_deg, config.max_gap, guard, Some(lag));
     session.begin_pace();
     let ended = session.send_all(&mut way, &mut supervision);
     let end = way.ended(session, ended, &supervision);

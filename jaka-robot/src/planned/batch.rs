@@ -5,10 +5,10 @@ use std::time::Instant;
 use jaka_proto::messages::status::RobotStatus;
 
 use super::destination::Destination;
-use crate::arm;
+use crate::arm::Since;
 use crate::place::Place;
 use crate::under_way::UnderWay;
-use crate::{FrameChange, SelectedFrames};
+use crate::{FrameChange, SelectedFrames, Snapshot};
 
 /// Motions that were accepted and have not been waited for.
 #[derive(Debug, Clone)]
@@ -16,8 +16,8 @@ pub(super) struct Batch {
     /// Time at which the last one was accepted: packets and answers from before say nothing about it.
     pub(super) accepted: Instant,
     pub(super) goal: Destination,
-    /// The event that the status showed before; only another one counts.
-    pub(super) code_before: Option<String>,
+    /// Packets after which news counts.
+    pub(super) since: Since,
     /// True if a packet has said since that the arm is not in position: only after that can one say that the motion has
     /// ended.
     pub(super) has_left: bool,
@@ -41,7 +41,8 @@ pub(super) struct Begin {
     pub(super) under_way: UnderWay,
     /// True if the motion depends on the selected frames.
     pub(super) depends_on_frames: bool,
-    pub(super) code: Option<String>,
+    /// Number of the newest packet.
+    pub(super) packet: u64,
     /// The latest stop before: a later one ends the motion.
     pub(super) stops: u64,
 }
@@ -59,7 +60,8 @@ pub(super) struct GoalFrames {
 
 impl Begin {
     /// By the newest packet.
-    pub(super) fn new(status: &RobotStatus, frames: GoalFrames, under_way: UnderWay) -> Self {
+    pub(super) fn new(newest: &Snapshot, frames: GoalFrames, under_way: UnderWay) -> Self {
+        let status = &newest.status;
         Self {
             at_rest: status.in_position == Some(true) && status.paused != Some(true),
             places: [status.joint_actual_position.map(Place::Joints), status.actual_position.map(Place::Pose)],
@@ -67,27 +69,28 @@ impl Begin {
             frames,
             under_way,
             depends_on_frames: false,
-            code: arm::code(status).map(str::to_owned),
+            packet: newest.number,
             stops: 0,
         }
     }
 }
 
 impl Batch {
-    /// A first motion that was accepted.
-    pub(super) fn new(accepted: Instant, goal: Destination, begin: Begin) -> Self {
+    /// A first motion that was accepted, after this packet.
+    pub(super) fn new(accepted: Instant, packet: u64, goal: Destination, begin: Begin) -> Self {
         let (frames, under_way, depends_on_frames) = (begin.frames, begin.under_way.clone(), begin.depends_on_frames);
-        let code_before = begin.code.clone();
-        Self { accepted, goal, code_before, has_left: false, count: 1, begin, frames, under_way, depends_on_frames }
+        let since = Since { events: begin.packet, states: packet };
+        Self { accepted, goal, since, has_left: false, count: 1, begin, frames, under_way, depends_on_frames }
     }
 
-    /// One more that was accepted after it.
-    pub(super) fn then(self, accepted: Instant, goal: Destination, begin: Begin) -> Self {
+    /// One more that was accepted after it, and after this packet.
+    pub(super) fn then(self, accepted: Instant, packet: u64, goal: Destination, begin: Begin) -> Self {
+        let since = Since { states: packet, ..self.since };
         let depends_on_frames = self.depends_on_frames || begin.depends_on_frames;
         let is_same = begin.frames.changes == self.frames.changes;
         let under_way = if is_same { self.under_way } else { begin.under_way };
         let count = self.count.saturating_add(1);
-        Self { accepted, goal, count, frames: begin.frames, under_way, depends_on_frames, ..self }
+        Self { accepted, goal, since, count, frames: begin.frames, under_way, depends_on_frames, ..self }
     }
 
     /// Compares no frames any more, if they were changed by the handle that started the motions.

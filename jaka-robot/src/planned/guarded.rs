@@ -10,7 +10,7 @@ use jaka_sync::layer::Watched;
 use super::Moving;
 use super::guard_thread::{GuardThread, Relieved, Stopped, Why, lost};
 use crate::arm::unknown;
-use crate::cause::{Consequence, Occurrence};
+use crate::cause::Occurrence;
 use crate::guard::{Armed, Guard, longest_silence, packet_period};
 use crate::motions::PlannedMotion;
 use crate::{End, Error, ErrorKind, GuardTrip, NotGuarded, Path, Report, Rest, TripReason};
@@ -130,7 +130,7 @@ impl GuardedRun<'_> {
                 end.occurrence = lost(&problem);
                 self.moving.arm.state.latch(&end.occurrence);
             }
-            None if end.occurrence.consequence() == Consequence::Stops => {
+            None if end.occurrence.consequence().stops() => {
                 self.moving.come_to_rest(&mut end, &stopped.stop);
             }
             None => {}

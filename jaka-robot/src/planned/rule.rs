@@ -1,8 +1,9 @@
 //! Rule for the end of a motion: a state machine over status packets and the controller's own answers.
 //!
 //! A status packet cannot show its age, so it never ends a motion alone: a stalled link delivers old packets. Packets
-//! that speak against a motion (stops, errors, a disabled arm) count at once. A packet that shows the arm in position
-//! only leads to a query, whose answer is later than the motion's acceptance.
+//! that speak against a motion count at once (stops, drag mode, errors, a soft limit), or once the next one says the
+//! same (an arm without power or not enabled); the arm's state finds them. A packet that shows the arm in position only
+//! leads to a query, whose answer is later than the motion's acceptance.
 //!
 //! One answer at the target, or two that agree near it, are enough for one motion that was seen to leave: the arm is
 //! there only at the end. Two, because the observed movement may belong to the previous motion. In all other cases
@@ -17,7 +18,7 @@ use jaka_proto::messages::types::JointPosition;
 
 use super::batch::Batch;
 use super::destination::{Destination, Nearness};
-use crate::arm::{self, News, QUERY_PERIOD};
+use crate::arm::QUERY_PERIOD;
 use crate::place::{Place, Quantity};
 use crate::{Cause, Error, Occurrence, Rest, Snapshot};
 
@@ -42,7 +43,7 @@ pub(super) struct EndRule {
     in_position: Option<bool>,
     is_paused: bool,
     /// A code that has come since the acceptance and is in no table: it counts once the arm rests.
-    unknown_code: Option<Occurrence>,
+    pub(super) unknown_code: Option<Occurrence>,
     /// Time at which the last query was sent.
     asked: Option<Instant>,
     /// Whether packets said by then that the arm had left and was in position again.
@@ -139,11 +140,6 @@ impl EndRule {
             self.packets.pop_front();
         }
         self.packets.push_back(Arc::clone(snapshot));
-        match arm::news(&snapshot.status, self.batch.code_before.as_deref()) {
-            Some(News::Ends(occurrence)) => return Some((occurrence, Rest::NotSeen)),
-            Some(News::AtRest(occurrence)) => self.unknown_code = Some(occurrence),
-            None => {}
-        }
         self.batch.under_way.see(snapshot);
         if let Some(change) = self.batch.frame_change() {
             return Some((Occurrence::frames_changed(change), Rest::NotSeen));

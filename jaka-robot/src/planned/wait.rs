@@ -77,8 +77,10 @@ impl EndWait<'_> {
         if self.arm.stops().accepted() > self.rule.batch.begin.stops {
             return Some(Next::ended(Cause::Stopped));
         }
+        let (news, unknown_code) = self.arm.state.news_of_motion(self.rule.batch.since);
+        self.rule.unknown_code = unknown_code;
         let shown = newest.filter(|newest| heard.takes(newest)).and_then(|newest| self.rule.packet(newest));
-        match (shown, self.lost()) {
+        match (news.map(|occurrence| (occurrence, Rest::NotSeen)).or(shown), self.lost()) {
             // Packets alone do not prove that the arm rests.
             (None | Some((Occurrence { cause: Cause::AtRest, .. }, _)), Some(cause)) => {
                 Some(Next::ended(Occurrence::commands_lost(self.arm.link().address(), cause)))

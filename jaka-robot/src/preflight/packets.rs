@@ -200,7 +200,7 @@ fn form(newest: &Snapshot, absent: &[&str], dropped: u64) -> Judgement {
 /// Fields for a robot and for this check that the packet has in no form.
 fn missing(newest: &Snapshot) -> Vec<&'static str> {
     let status = &newest.status;
-    let of_check = [("rapid_rate", status.rapid_rate.is_some()), ("on_soft_limit", status.on_soft_limit.is_some())];
+    let of_check = [("rapid_rate", status.rapid_rate.is_some())];
     let missing =
         needed(status).into_iter().chain(of_check).filter(|(field, is_there)| !is_there && !newest.is_unfit(field));
     missing.map(|(field, _)| field).collect()

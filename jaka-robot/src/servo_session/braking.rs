@@ -20,7 +20,10 @@ impl Braking {
     pub(super) fn after(error: &Error) -> Self {
         match error.kind() {
             ErrorKind::NotSent { because, .. } => Self::after(because),
-            ErrorKind::NotAcknowledged { occurrence } => Self::after_occurrence(occurrence),
+            ErrorKind::NotAcknowledged { occurrence } | ErrorKind::RobotState { occurrence } => {
+                Self::after_occurrence(occurrence)
+            }
+            ErrorKind::NotReady { explanation } => Self::after_cause(explanation.cause()),
             ErrorKind::StatusUnknown { problem } => Self::after_problem(problem),
             ErrorKind::Connection(error) => Self::after_failure(Failure::of(error)),
             // A refusal may be of one set-point alone: braking does not wait for the packet that says more.
@@ -44,10 +47,8 @@ impl Braking {
             | ErrorKind::Trajectory { .. }
             | ErrorKind::Thread { .. }
             | ErrorKind::RealtimePriority { .. } => Self::Land,
-            // A protective or an emergency stop that the newest packet shows.
-            ErrorKind::NotReady { .. }
             // Set-points would accumulate, and move the arm later.
-            | ErrorKind::SetPointsUnanswered { .. }
+            ErrorKind::SetPointsUnanswered { .. }
             | ErrorKind::CommandsLost { .. }
             // The session has ended already.
             | ErrorKind::SessionEnded { .. }
@@ -87,6 +88,13 @@ impl Braking {
             // A stop of the program's own goes out once the arm is braked.
             Cause::Stopped
             | Cause::StatusLost
+            // The controller may follow set-points all the same, and refuses them otherwise.
+            | Cause::NotPowered
+            | Cause::NotEnabled
+            | Cause::ControllerError
+            | Cause::SoftLimit
+            // The landing looks whether the joints follow.
+            | Cause::DragMode
             // Set-points of joints have no frame.
             | Cause::FramesChanged
             // Of one set-point, or of this program: the controller follows others.
@@ -100,10 +108,6 @@ impl Braking {
             Cause::EmergencyStop
             | Cause::ProtectiveStop
             | Cause::CommandsLost
-            | Cause::NotPowered
-            | Cause::NotEnabled
-            | Cause::ControllerError
-            | Cause::SoftLimit
             | Cause::NoRemoteControl
             | Cause::ServoMode
             | Cause::Moving

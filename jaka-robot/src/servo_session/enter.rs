@@ -9,6 +9,7 @@ use jaka_proto::messages::types::Switch;
 use jaka_sync::layer::ClientParts as _;
 
 use super::course::Course;
+use super::departure::Departure;
 use super::pace::{CYCLE, Pace};
 use super::rates::Rates;
 use super::{LedArm, ServoConfig, ServoSession, SessionConfig};
@@ -46,7 +47,8 @@ impl<'r> ServoSession<'r> {
         rest(arm, has_motions, config.enter_timeout).map_err(not_sent)?;
         let owner = arm.link().new_owner();
         let lead = Some(arm.lead(owner).map_err(not_sent)?);
-        let (frame_changes, under_way) = (arm.link().frame_changes(), arm.under_way());
+        let (frame_changes, under_way, since_packet) =
+            (arm.link().frame_changes(), arm.under_way(), arm.state.now_on());
         let servo_mode = arm.queries().call(&IsInServomove::new()).map_err(|error| not_sent(error.into()))?;
         if servo_mode.in_servo_mode {
             return Err(arm.not_ready(Explanation::ServoModeOn));
@@ -71,8 +73,13 @@ impl<'r> ServoSession<'r> {
             config: config.clone(),
             rates,
             course: Course::unknown(),
+            departure: Departure::new(None, config.period().as_secs_f64()),
             rest: Rest::NotSeen,
             refusal: None,
+            since_packet,
+            news: None,
+            is_led_by_hand: false,
+            has_departed: false,
             begun: None,
             is_open: true,
             ended: None,
@@ -80,6 +87,8 @@ impl<'r> ServoSession<'r> {
         };
         match session.switch_on() {
             Ok(course) => {
+                let start = course.last_joints().map(|[_, last]| last);
+                session.departure = Departure::new(start, config.period().as_secs_f64());
                 session.course = course;
                 session.arm.moved_after(frame_changes);
                 session.pace = Pace::new(session.arm.clock(), config.period(), config.busy_wait);

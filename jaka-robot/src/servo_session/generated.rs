@@ -43,7 +43,7 @@ pub(crate) trait SetPoints {
 /// Supervision that ends generated set-points: by joints that do not follow, a machine that is too slow, and a guard.
 #[derive(Debug)]
 pub(crate) struct Supervision<'g> {
-    departure: Departure,
+    max_departure_deg: f64,
     /// The number of the last packet.
     packet: u64,
     /// Arrival of the first packet after which none has shown the joints.
@@ -56,17 +56,14 @@ pub(crate) struct Supervision<'g> {
 }
 
 impl<'g> Supervision<'g> {
-    /// For an arm at rest.
     pub(crate) fn new(
-        (start, period): (JointPosition, Duration),
         max_departure_deg: f64,
         max_gap: Duration,
         guard: Option<&'g SetPointGuard>,
         lag: Option<LagFit>,
     ) -> Self {
-        let departure = Departure::new(start, period.as_secs_f64(), max_departure_deg);
         let depends_on_frames = guard.is_some_and(SetPointGuard::depends_on_frames);
-        Self { departure, packet: 0, unseen: None, max_gap, guard, depends_on_frames, lag }
+        Self { max_departure_deg, packet: 0, unseen: None, max_gap, guard, depends_on_frames, lag }
     }
 
     /// Fails once the guard has tripped.
@@ -86,19 +83,18 @@ impl<'g> Supervision<'g> {
 
     /// A set-point was sent.
     fn sent(&mut self, at: impl FnOnce() -> Instant, joints: JointPosition) {
-        self.departure.sent(joints);
         if let Some(lag) = &mut self.lag {
             lag.sent(at(), joints);
         }
     }
 
     /// Compares the joints of a packet, if it shows them. Fails if none has for half a second.
-    fn take(&mut self, packet: &Snapshot) -> Result<(), Error> {
+    fn take(&mut self, packet: &Snapshot, departure: &Departure) -> Result<(), Error> {
         self.packet = packet.number;
         match shown_joints(packet) {
             Ok(joints) => {
                 self.unseen = None;
-                self.departure.check(joints)?;
+                departure.check(joints)?;
                 if let Some(lag) = &mut self.lag {
                     lag.seen(packet.received, joints);
                 }
@@ -149,6 +145,7 @@ impl ServoSession<'_> {
         set_points: &mut impl SetPoints,
         supervision: &mut Supervision<'_>,
     ) -> Result<(), Error> {
+        self.departure.most_deg = supervision.max_departure_deg;
         loop {
             let cycle = self.wait_for_cycle();
             // The arm is taken to stand: it had no set-points for so long.
@@ -159,6 +156,7 @@ impl ServoSession<'_> {
                 supervision.guard.map_or(Ok(()), |guard| guard.check(&self.arm.state, || supervision.measured_lag()));
             // A packet by which the guard has tripped is known by now. In other frames the tool is elsewhere.
             self.look_at_frames();
+            self.check_news()?;
             if self.limits.depend_on_frames() || supervision.depends_on_frames {
                 self.check_frames()?;
             }
@@ -172,7 +170,7 @@ impl ServoSession<'_> {
                 return Err(ErrorKind::SetPointLate { late }.into());
             }
             if let Some(packet) = self.packet_after(supervision.packet) {
-                supervision.take(&packet)?;
+                supervision.take(&packet, &self.departure)?;
             }
             let joints = set_points.next();
             if set_points.depend_on_frames() {

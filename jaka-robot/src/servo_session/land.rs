@@ -130,7 +130,8 @@ impl ServoSession<'_> {
             self.stand(late);
             return Ok(());
         }
-        while let Some(next) = braking(&self.course) {
+        while self.may_brake() {
+            let Some(next) = braking(&self.course) else { break };
             let gate = self.arm.gate(Sending::Braking);
             if !self.send_landing(next, &gate, refused)? {
                 return Ok(());
@@ -138,6 +139,29 @@ impl ServoSession<'_> {
             self.expect_set_point(true);
         }
         Ok(())
+    }
+
+    /// False if set-points may work against a hand: in drag mode they brake the arm only while its joints are known to
+    /// follow.
+    fn may_brake(&mut self) -> bool {
+        self.look_for_news();
+        let newest = self.arm.state.newest_packet().filter(|_| self.is_led_by_hand);
+        newest.is_none_or(|newest| {
+            newest.status.joint_actual_position.is_some_and(|joints| self.departure.is_followed(joints))
+        })
+    }
+
+    /// Lets an arm that is not to be held follow its last set-points: until packets show rest, for a while at most.
+    fn let_go(&mut self) {
+        let since = self.arm.clock().stopwatch();
+        let mut stillness = Stillness::new(since.began, None);
+        while since.passed() < BLIND && self.may_brake() {
+            if self.arm.state.newest_packet().is_some_and(|packet| stillness.is_seen(&packet)) {
+                self.rest = Rest::Packets;
+                return;
+            }
+            self.pace.wait();
+        }
     }
 
     /// The arm has had no set-point for so long that the SDK assumes it at rest; this is reported for one that moved.
@@ -148,13 +172,19 @@ impl ServoSession<'_> {
         self.course.paused();
     }
 
-    /// Until packets show the arm at rest at the last set-point, or, where packets do not come, for a while.
+    /// Until packets show the arm at rest at the last set-point, or, where packets do not come, for a while. An arm that
+    /// a hand or an obstacle keeps from its set-points is not held there.
     fn hold(&mut self, refused: u64) -> Result<(), Error> {
         // A stop of the program's own can go out now.
         self.expect_set_point(false);
         let since = self.arm.clock().stopwatch();
         let (mut stillness, mut is_held) = (Stillness::new(since.began, self.course.held_joints()), true);
         loop {
+            self.look_for_news();
+            if self.is_led_by_hand || self.has_departed {
+                self.let_go();
+                return Ok(());
+            }
             if is_held && self.arm.unacknowledged_stop().is_some() {
                 // A stop discards set-points: the arm may rest before the last one.
                 (stillness, is_held) = (Stillness::new(self.arm.clock().now(), None), false);
@@ -188,8 +218,8 @@ impl ServoSession<'_> {
                     sent => sent.map(drop),
                 }
             }
-            // After a stop of the program's own nothing goes out; packets may still show rest.
-            (None | Some(Occurrence { cause: Cause::Stopped, .. }), _) => {
+            // After a stop of the program's own nothing goes out; packets may still show rest. Drag mode ends the holding.
+            (None | Some(Occurrence { cause: Cause::Stopped | Cause::DragMode, .. }), _) => {
                 self.pace.wait();
                 Ok(())
             }
@@ -229,7 +259,9 @@ impl ServoSession<'_> {
             self.stand(late);
             return Ok(false);
         }
-        self.course.sent(set_point, self.course.joints_at(&set_point));
+        let joints = self.course.joints_at(&set_point);
+        self.course.sent(set_point, joints);
+        self.departure.sent(joints);
         self.report.landing_cycles += 1;
         Ok(true)
     }
@@ -243,8 +275,13 @@ pub(super) fn not_seen(first: Error, landing: Error) -> Error {
             ErrorKind::RestNotSeen { first: Some(first), after }.into()
         }
         ErrorKind::RestNotSeen { .. } => first,
-        // A controller that has refused one follows none.
-        ErrorKind::Refused { .. } if first.is_refused() => first,
+        // A controller that has refused one follows none, and its state may say why.
+        ErrorKind::Refused { .. } if first.is_refused() || is_of_state(&first) => first,
         landing => ErrorKind::NotLanded { first, landing: landing.into() }.into(),
     }
+}
+
+/// True for a session that the state of the robot has ended.
+fn is_of_state(error: &Error) -> bool {
+    matches!(error.kind(), ErrorKind::RobotState { .. } | ErrorKind::NotAcknowledged { .. })
 }

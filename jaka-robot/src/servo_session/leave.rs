@@ -15,7 +15,7 @@ use super::braking::Braking;
 use super::land::{BrakingPath, not_seen};
 use super::pace::{CYCLE, Pace};
 use crate::error::SessionEnd;
-use crate::{Cause, Disconnect, End, Error, ErrorKind, Explanation, Report};
+use crate::{Cause, Disconnect, End, Error, ErrorKind, Explanation, Occurrence, Report};
 
 /// Timeout for the last replies, and for the end of servo mode after set-points that were not answered.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -63,7 +63,8 @@ impl ServoSession<'_> {
     fn leave_landed(&mut self, landed: Result<(), Error>, tripped: Option<Error>) -> Result<(), Error> {
         let answers = self.last_answers();
         let left = self.leave();
-        let first = answers.err().or(self.refusal.take()).or(tripped).map(|error| self.explained(error));
+        let first = answers.err().or(self.refusal.take()).or(self.check_news().err()).or(tripped);
+        let first = first.map(|error| self.explained(error));
         let first = match (first, landed) {
             // The error of a lost connection says so itself.
             (Some(first), Err(landing)) if !first.is_disconnected() => Some(not_seen(first, landing)),
@@ -102,6 +103,7 @@ impl ServoSession<'_> {
 
     /// Ends the session as [`end`](Self::end), on another braking path.
     pub(crate) fn end_by(&mut self, first: Error, braking: BrakingPath<'_>) -> Error {
+        self.has_departed = matches!(first.kind(), ErrorKind::Departed { .. });
         let landed = if self.is_open && Braking::after(&first) == Braking::Land {
             self.come_to_rest_by(braking)
         } else {
@@ -121,20 +123,33 @@ impl ServoSession<'_> {
         error
     }
 
-    /// Settles why the controller refused a set-point, if it did, as far as its state shows it. Packets are later than
-    /// a refusal, so that the next one is waited for; braking and leaving servo mode are over by then.
+    /// Settles the cause of the end: news of packets counts before what followed from the same event, such as the
+    /// refusal of a set-point. Packets are later than a refusal, so that the next ones are waited for; braking and
+    /// leaving servo mode are over by then.
     fn explained(&mut self, error: Error) -> Error {
+        if error.is_refused() && self.arm.unacknowledged().is_none() {
+            let (state, since) = (&self.arm.state, self.since_packet);
+            let seen = state.newest_packet().map_or(0, |packet| packet.number);
+            // If none comes, none shows it.
+            let _ = state.watch(SETTLING, |newest| {
+                let is_later = newest.is_some_and(|newest| newest.number > seen);
+                let is_settled = is_later && !state.has_unconfirmed_news();
+                (is_settled || state.news(since, |_| true).is_some()).then_some(())
+            });
+        }
+        self.look_for_news();
+        if let Some(news) = self.news.clone().filter(|news| counts_before(news, &error)) {
+            return self.ended_by(news);
+        }
         if !error.is_refused() {
             return error;
         }
-        if self.arm.unacknowledged().is_none() {
-            let state = &self.arm.state;
-            let seen = state.newest_packet().map_or(0, |packet| packet.number);
-            // If none comes, none shows it.
-            let _ = state.watch(SETTLING, |newest| newest.filter(|newest| newest.number > seen).map(drop));
-        }
         let error = self.arm.explained(error, PATIENCE);
-        self.limits.explained(error)
+        match error.cause() {
+            // By the controller's own answer, before packets that come seldom show it.
+            Cause::NotPowered | Cause::NotEnabled => self.ended_by(error.occurrence()),
+            _ => self.limits.explained(error),
+        }
     }
 
     /// Leaves servo mode, and asks whether it was left.
@@ -190,6 +205,12 @@ impl ServoSession<'_> {
 fn not_left(first: Option<Error>, leaving: Error) -> Error {
     let exchanges = leaving.exchanges().to_vec();
     Error::from(ErrorKind::ServoModeNotLeft { first, leaving }).with_exchanges(exchanges)
+}
+
+/// True if news of packets is the cause of the end, and not this error. A stop of the program's own may have led to the
+/// news.
+fn counts_before(news: &Occurrence, error: &Error) -> bool {
+    news.cause <= error.cause() && (error.cause() != Cause::Stopped || news.consequence().latches())
 }
 
 impl Drop for ServoSession<'_> {

@@ -14,15 +14,16 @@ use jaka_sync::layer::{Answers, ClientParts as _, Gate, Leading, Owner};
 
 use super::ServoConfig;
 use super::course::Course;
+use super::departure::Departure;
 use super::pace::{Cycle, Pace};
 use super::rates::Rates;
 use super::realtime::RealtimePriority;
 use super::set_point::{SetPoint, SetPointStep};
-use crate::arm::{Arm, Sending};
+use crate::arm::{Arm, Sending, Since};
 use crate::error::SessionEnd;
 use crate::limits::LimitChecks;
 use crate::under_way::UnderWay;
-use crate::{Error, ErrorKind, Report, Rest, Snapshot};
+use crate::{Cause, Error, ErrorKind, Occurrence, Report, Rest, Snapshot};
 
 /// The robot in servo mode, from [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode): set-points go out once in
 /// each servo period, and their replies are counted, not waited for.
@@ -59,10 +60,14 @@ use crate::{Error, ErrorKind, Report, Rest, Snapshot};
 /// If a set-point is refused, here or by the controller, in the middle of a motion, the arm must not stop at once: a
 /// missing set-point after the last one at 175 deg/s is a braking of 21,900 deg/s². So every session ends by a landing,
 /// for any cause: the call that fails, [`land`](Self::land), a drop, a panic, a [`RobotStop`](crate::RobotStop), an
-/// unknown status. The session brakes the arm straight on, all joints in proportion, with the acceleration of
+/// unknown status, or packets that show no power, an arm that is not enabled, an error, a soft limit or drag mode. The
+/// session brakes the arm straight on, all joints in proportion, with the acceleration of
 /// [`ServoConfig`] or, if the robot has limits, of these. Then it holds the last set-point until status packets show
 /// the arm at rest there ([`ServoConfig::rest_timeout`]), and leaves servo mode. A stop by the program itself brakes
 /// first, and then sends `stop_program`.
+///
+/// In drag mode set-points brake the arm only while its joints are known to follow them, and nothing holds the arm
+/// against the hand that leads it.
 ///
 /// A protective stop, an emergency stop and a lost or stalled connection end the session at once, without a landing. No
 /// source states the behaviour of an arm at speed then, or after the program is killed.
@@ -98,8 +103,17 @@ pub struct ServoSession<'r> {
     pub(super) pace: Pace,
     /// The last set-points, by which the next one is checked, and from which the arm is braked.
     pub(super) course: Course,
+    pub(super) departure: Departure,
     pub(crate) report: Report,
     pub(super) under_way: UnderWay,
+    /// Packets after which news ends the session.
+    pub(super) since_packet: Since,
+    /// News of packets that ends the session: the first, unless a stop or drag mode follows.
+    pub(super) news: Option<Occurrence>,
+    /// True once packets have shown drag mode: set-points may work against a hand.
+    pub(super) is_led_by_hand: bool,
+    /// True if the session ends because the joints have departed from their set-points.
+    pub(super) has_departed: bool,
     /// Rest of the arm at its last set-point, before servo mode is left.
     pub(crate) rest: Rest,
     /// Time since servo mode was entered.
@@ -140,7 +154,9 @@ impl ServoSession<'_> {
     /// - [`ErrorKind::FramesChanged`]: the robot has limits that depend on the selected frames. The set-point was not
     ///   sent.
     /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
-    /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop.
+    /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop, or drag mode.
+    /// - [`ErrorKind::RobotState`]: packets, or the controller's answer after a refusal, show no power, an arm that is
+    ///   not enabled, an error of the controller or a soft limit.
     ///   [`Disconnected`](jaka_sync::ErrorKind::Disconnected): the connection is lost.
     /// - [`ErrorKind::SetPointsUnanswered`], [`ErrorKind::StatusUnknown`]: one of the ports no longer responds.
     /// - [`ErrorKind::SessionEnded`]: the session had ended before.
@@ -207,7 +223,8 @@ impl ServoSession<'_> {
         if let Some(end) = self.ended.clone() {
             return Err(end.into_error());
         }
-        let sent = self.wait_for_cycle().and_then(|_| {
+        let cycle = self.wait_for_cycle();
+        let sent = self.check_news().and(cycle).and_then(|_| {
             self.look_at_frames();
             if set_point.is_pose() || self.limits.depend_on_frames() {
                 self.check_frames()?;
@@ -216,6 +233,29 @@ impl ServoSession<'_> {
             self.send_checked(set_point, joints, Duration::MAX)
         });
         sent.map_err(|error| self.end(error))
+    }
+
+    /// Takes the news of the packets that have come.
+    pub(super) fn look_for_news(&mut self) {
+        let Some(news) = self.arm.state.news(self.since_packet, |_| true) else { return };
+        self.is_led_by_hand |= news.cause == Cause::DragMode;
+        if self.news.as_ref().is_none_or(|first| news.consequence().latches() && news.cause < first.cause) {
+            self.news = Some(news);
+        }
+    }
+
+    /// Fails once packets have shown a state of the robot that ends the session.
+    pub(super) fn check_news(&mut self) -> Result<(), Error> {
+        self.look_for_news();
+        self.news.clone().map_or(Ok(()), |news| Err(self.ended_by(news)))
+    }
+
+    /// Error of a session that the state of the robot has ended.
+    pub(super) fn ended_by(&self, occurrence: Occurrence) -> Error {
+        let latches = occurrence.consequence().latches();
+        let kind =
+            if latches { ErrorKind::NotAcknowledged { occurrence } } else { ErrorKind::RobotState { occurrence } };
+        self.arm.attach(kind)
     }
 
     /// Reads changes under way from the newest packet.
@@ -320,6 +360,7 @@ impl ServoSession<'_> {
         let most = if self.can_begin_with(&set_point, joints) { most } else { most.min(self.most_without_gap()) };
         let late = self.post(&set_point, &gate, most)?;
         self.course.sent(set_point, joints);
+        self.departure.sent(joints);
         self.went_out(late, begun);
         self.expect_set_point(self.course.is_moving());
         Ok(())

@@ -51,7 +51,7 @@ pub(super) fn run(
     let (start, period) = (generator.joints(), config.servo.period());
     let has_force_limit = guard.is_some_and(|guard| guard.tool_stop(period.as_secs_f64()).is_some());
     let lag = has_force_limit.then(|| LagFit::new(clock.now(), start, period));
-    let mut supervision = Supervision::new((start, period), config.max_departure_deg, config.max_gap, guard, lag);
+    let mut supervision = Supervision::new(config.max_departure_deg, config.max_gap, guard, lag);
     let mut set_points = StreamSetPoints { generator: &mut generator, targets: &targets, order: None, last: None };
     let ended = session.send_all(&mut set_points, &mut supervision);
     if let Err(error) = &ended {

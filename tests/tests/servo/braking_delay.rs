@@ -91,11 +91,10 @@ impl Event {
             // The next set-point is refused, and the one after it brakes.
             Self::PowerCut | Self::DisabledByAnother => ((Reaction::Brakes, 2), Some((Reaction::Nothing, 0))),
             Self::ControllerError => ((Reaction::Brakes, 2), Some((Reaction::Stops, 0))),
-            Self::DragMode => ((Reaction::Brakes, 2), None),
             Self::RefusedSetPoint => ((Reaction::Brakes, 1), None),
             // Packets are stale after 500 ms, which are 62.5 cycles.
             Self::StatusSilent => ((Reaction::Brakes, 64), Some((Reaction::Stops, 63))),
-            Self::StatusClosed | Self::Unreadable | Self::GuardTrip => {
+            Self::StatusClosed | Self::Unreadable | Self::GuardTrip | Self::DragMode => {
                 ((Reaction::Brakes, 1), Some((Reaction::Stops, 0)))
             }
         };
@@ -132,10 +131,7 @@ impl Event {
             Self::StatusClosed => arm.status_fault(StatusFault::CloseAfter(0)),
             Self::Unreadable => arm.status_fault(StatusFault::Instead(br#"{"emergency_stop": "maybe"}"#.to_vec())),
             Self::GuardTrip => arm.set_state(|state| state.digital_inputs[2] = true),
-            Self::DragMode => arm.set_state(|state| {
-                state.drag_mode = true;
-                state.servo_mode = false;
-            }),
+            Self::DragMode => arm.set_state(|state| state.drag_mode = true),
         }
         arm.publish();
     }

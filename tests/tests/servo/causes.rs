@@ -75,8 +75,8 @@ const EVENTS: [(Event, Cause, &[Way]); 19] = [
     (Event::StatusSilent, Cause::StatusLost, &[]),
     (Event::BothSilent, Cause::Unanswered, &[Way::Wait]),
     (Event::Unreadable, Cause::StatusLost, &[]),
-    // No source says what it does to a motion, and it concerns no wait.
-    (Event::DragMode, Cause::ServoMode, &[Way::Run, Way::GuardedRun, Way::Wait]),
+    // A hand that leads the arm may press the button that is waited for.
+    (Event::DragMode, Cause::DragMode, &[Way::Wait]),
     // It does not end servo mode, and nothing moves that could be seen to end.
     (Event::ForeignStop, Cause::Stopped, &[Way::Session, Way::Stream, Way::Trajectory, Way::Wait]),
     (Event::OwnStop, Cause::Stopped, &[]),
@@ -113,10 +113,7 @@ impl Event {
             Self::StatusSilent => arm.link(Port::Status).to_client().hold(),
             Self::BothSilent => arm.links().to_client().hold(),
             Self::Unreadable => arm.status_fault(StatusFault::Instead(br#"{"emergency_stop": "maybe"}"#.to_vec())),
-            Self::DragMode => arm.set_state(|state| {
-                state.drag_mode = true;
-                state.servo_mode = false;
-            }),
+            Self::DragMode => arm.set_state(|state| state.drag_mode = true),
             Self::ForeignStop => drop(foreign.stop()),
             Self::OwnStop => drop(own.stop()),
             Self::RefusedSetPoint => {

@@ -121,8 +121,8 @@ fn an_arm_that_does_not_come_to_rest_after_a_stop_gets_no_motion() {
     other.call_text(&text(&turn(350.0)), LONG).expect("the controller takes it");
     robot.acknowledge();
     let error = robot.run(&turn(5.0), LONG).expect_err("it moves");
-    let because = |kind: &ErrorKind| matches!(kind, ErrorKind::NotSent { because, .. } if matches!(because.kind(), ErrorKind::NotAtRest { .. }));
-    assert!(because(error.kind()), "{error:?}");
+    let moves = |kind: &ErrorKind| matches!(kind, ErrorKind::NotSent { because, .. } if matches!(because.kind(), ErrorKind::NotAtRest { .. }));
+    assert!(moves(error.kind()), "{error:?}");
     assert!(because(&other.call(&turn(5.0)).expect_err("it moves")).contains("at rest"));
     assert_eq!(names(&arm).iter().filter(|name| *name == "joint_move").count(), 1, "the raw one");
 }

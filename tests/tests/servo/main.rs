@@ -11,6 +11,7 @@ mod landing;
 mod landing_links;
 mod late;
 mod options;
+mod packet_news;
 #[cfg(target_os = "linux")]
 mod realtime;
 mod received;

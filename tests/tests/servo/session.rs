@@ -222,7 +222,8 @@ fn a_stop_or_a_lost_connection_ends_the_session() {
     arm.collide();
     session.send_joint_offset(STEP).expect("its answer is taken with the next one");
     let error = session.send_joint_offset(STEP).expect_err("the stop is noticed");
-    assert!(error.is_refused() && error.cause() == Cause::ProtectiveStop, "{error:?}");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
+    assert_eq!(error.cause(), Cause::ProtectiveStop);
     drop(session);
     assert!(robot.enter_servo_mode(unchecked()).is_err(), "nobody has looked");
 

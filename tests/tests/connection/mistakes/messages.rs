@@ -70,6 +70,9 @@ fn of_the_state() -> Vec<String> {
         refusal(stopped.power_up(LONG)),
         kind(jaka_sync::ErrorKind::StateTimeout { after: LONG, packets: 1998, says }),
         kind(soft_limit),
+        Occurrence::from(Cause::SoftLimit).to_string(),
+        kind(ErrorKind::NotAcknowledged { occurrence: Cause::DragMode.into() }),
+        kind(ErrorKind::NotReady { explanation: Explanation::DragMode }),
         kind(not_entered),
     ]
 }

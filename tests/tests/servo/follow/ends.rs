@@ -146,7 +146,7 @@ fn an_arm_that_does_not_follow_departs_and_one_that_lags_shows_by_how_much() {
     };
     let end = run(Duration::from_millis(1500), &patient().max_departure(3.0));
     assert_ended_on_the_way(&end, Cause::Departed);
-    assert!(end.rest.was_seen() && !followed(&end).has_left_curve, "{end:?}");
+    assert!(!end.rest.was_seen() && !followed(&end).has_left_curve, "it is not held: {end:?}");
     let [quick, slow] = [0, 150].map(|lag| run(Duration::from_millis(lag), &patient()));
     assert!(matches!((quick.cause(), slow.cause()), (Cause::Reached, Cause::Reached)));
     let [quick, slow] = [quick, slow].map(|end| followed(&end).lag.expect("the arm has moved"));
