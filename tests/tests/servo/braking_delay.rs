@@ -241,7 +241,7 @@ fn the_first_request_after_news_brakes_or_stops_the_arm() {
             let Some((expected, cycles)) = event.expected(way) else { continue };
             let mut delays = Vec::new();
             for _ in 0..runs() {
-                let (after, lag) = (Duration::from_millis(1000) + within(300), within(8));
+                let (after, lag) = (Duration::from_secs(1) + within(300), within(8));
                 let (found, delay) = cell(event, way, after, lag);
                 if found != expected || delay > CYCLE * cycles {
                     wrong.push(format!("{event:?} in {way:?} after {after:?}: {found:?} after {delay:?}"));
