@@ -1,6 +1,7 @@
 //! Errors of the queries that a call makes before it moves the arm, or before a step of its power: nothing was sent then,
 //! by the bytes that the controller has received, and the error says so.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_proto::Envelope;
@@ -89,7 +90,7 @@ const CASES: [Case; 14] = [
             robot.enter_servo_mode(config)?.send_joint_offset([0.0; 6])
         },
     },
-    Case { name: "stream", ready: limited, call: |robot| robot.stream(&StreamConfig::new().servo(servo())).map(drop) },
+    Case { name: "stream", ready: limited, call: stream },
     Case { name: "trajectory", ready: limited, call: |robot| follow(robot, &FollowConfig::new().servo(servo())) },
     Case {
         name: "trajectory in other frames",
@@ -102,6 +103,15 @@ const CASES: [Case; 14] = [
 
 fn servo() -> ServoConfig {
     ServoConfig::new().enter_timeout(SHORT)
+}
+
+/// A stream that has sent set-points, some in each period of the packets.
+fn stream(robot: &mut Robot) -> Result<(), Error> {
+    let monitor = Arc::clone(robot.monitor());
+    let stream = robot.stream(&StreamConfig::new().servo(servo()))?;
+    (0..3).for_each(|_| drop(monitor.next_packet()));
+    drop(stream);
+    Ok(())
 }
 
 fn follow(robot: &mut Robot, config: &FollowConfig) -> Result<(), Error> {

@@ -132,6 +132,7 @@ fn a_stop_that_fails_keeps_the_next_motion_from_being_sent() {
     let error = robot.run(&to(0.0), LONG).expect_err("somebody wanted the arm to stop");
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { occurrence } if occurrence.cause == Cause::Stopped));
     robot.acknowledge();
+    robot.wait_for_rest(LONG).expect("nothing moves it");
     // One that succeeds later ends a wait, whatever became of those before.
     let end = disturbed(&arm, &mut robot, || stop.stop().expect("the controller takes the stop"));
     assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
