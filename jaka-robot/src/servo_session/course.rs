@@ -121,10 +121,10 @@ impl Course {
         self.step = self.sent.map(|_| SetPointStep::Joints([0.0; 6]));
     }
 
-    /// A reply was lost: where offsets have led is not known.
+    /// A reply was lost: where offsets have led is not known. After one of a pose no place is known in any case.
     pub(super) fn lost(&mut self) {
-        if let Some(SetPoint::JointOffset(_) | SetPoint::PoseOffset(_)) = self.sent {
-            (self.joints, self.poses) = (LastTwo::UNKNOWN, LastTwo::UNKNOWN);
+        if let Some(SetPoint::JointOffset(_)) = self.sent {
+            self.joints = LastTwo::UNKNOWN;
         }
     }
 

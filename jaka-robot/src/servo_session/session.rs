@@ -205,6 +205,8 @@ impl ServoSession<'_> {
             return Err(end.into_error());
         }
         let sent = self.wait_for_cycle().and_then(|_| {
+            // After a lost reply it is not known where an offset has led.
+            self.take_answers(ServoJ::INFO.name)?;
             self.look_at_frames();
             if set_point.is_pose() || self.limits.depend_on_frames() {
                 self.check_frames()?;

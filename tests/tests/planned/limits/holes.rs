@@ -2,9 +2,12 @@
 
 use std::time::Duration;
 
-use jaka_robot::motion::EndMove;
+use jaka_robot::motion::{EndMove, MoveL};
 use jaka_robot::types::Pose;
-use jaka_robot::{ErrorKind, ServoConfig, Unchecked};
+use jaka_robot::{Cause, ErrorKind, MotionExt as _, Numbering, Robot, ServoConfig, Unchecked};
+use jaka_sim::{Fault, State};
+use jaka_tests::simulated::{beside, until};
+use jaka_tests::{Arm, LONG};
 use serde_json::json;
 
 use super::{START, limits, motions, start_pose, turn, wall, with_limits, within};
@@ -46,6 +49,31 @@ fn a_stop_of_any_handle_is_known_to_a_queue() {
 }
 
 #[test]
+fn a_motion_of_any_handle_is_known_to_a_queue() {
+    let (arm, mut robot) = with_limits(limits());
+    let mut other = robot.client().try_clone().expect("the connection is there");
+    robot.start(&turn(3, 20.0)).expect("to 100 deg");
+    other.joint_move(&turn(3, 60.0)).expect("to 160 deg");
+    let error = robot.start(&turn(3, 60.0)).expect_err("from 100 deg, where the queue does not end");
+    assert!(matches!(error.kind(), ErrorKind::NotChecked { reason: Unchecked::Start, .. }), "{error:?}");
+    assert_eq!(motions(&arm).len(), 2);
+}
+
+/// It may run or not, and so the queue may end at 140 or at 80 deg.
+#[test]
+fn a_motion_whose_reply_was_lost_has_no_known_end() {
+    let (arm, mut robot) = with_limits(limits());
+    robot.start(&turn(3, 60.0)).expect("to 140 deg");
+    arm.inject_for("joint_move", Fault::Drop);
+    robot.start(&turn(3, -60.0)).expect_err("no reply comes");
+    for by in [30.0, 90.0] {
+        let error = robot.start(&turn(3, by)).expect_err("its start is not known");
+        assert!(matches!(error.kind(), ErrorKind::NotChecked { reason: Unchecked::Start, .. }), "{error:?}");
+    }
+    assert_eq!(motions(&arm).len(), 2);
+}
+
+#[test]
 fn what_was_acknowledged_away_may_still_begin() {
     let (arm, mut robot) = with_limits(limits());
     robot.start(&turn(3, 60.0)).expect("to 140 deg");
@@ -53,4 +81,48 @@ fn what_was_acknowledged_away_may_still_begin() {
     let error = robot.start(&turn(3, 90.0)).expect_err("to 230 deg");
     assert!(matches!(error.kind(), ErrorKind::NotChecked { reason: Unchecked::Start, .. }), "{error:?}");
     assert_eq!(motions(&arm).len(), 1);
+}
+
+/// Starts a turn of joint 3 that is within its range from where the arm is, and beyond it from 140 deg. After 300 ms,
+/// which is longer than the time between two questions, the arm `moves` there.
+fn assert_waits_for_late_motion(arm: &Arm, robot: &mut Robot, moves: impl FnOnce(&mut State) + Send) {
+    let sent = motions(arm).len();
+    let late = || {
+        arm.clock().sleep(Duration::from_millis(300));
+        arm.set_state(moves);
+    };
+    let error = beside(arm.clock(), late, || robot.start(&turn(3, 50.0))).expect_err("from 140 deg it is beyond");
+    assert!(!error.may_have_run(), "{error:?}");
+    assert_eq!(motions(arm).len(), sent);
+}
+
+/// An arm that begins late rests when it is asked at once.
+#[test]
+fn what_was_acknowledged_away_may_begin_late() {
+    let (arm, mut robot) = with_limits(limits());
+    arm.set_state(|state| state.rapid_rate = 0.0);
+    robot.start(&turn(3, 60.0)).expect("to 140 deg");
+    robot.acknowledge();
+    assert_waits_for_late_motion(&arm, &mut robot, |state| state.rapid_rate = 1.0);
+    until(arm.clock(), || arm.state().at_rest);
+    robot.start(&turn(3, -50.0)).expect("from 140 deg it is within");
+}
+
+/// A stop that was accepted does not prove that the arm rests.
+#[test]
+fn an_arm_that_was_stopped_may_move_late() {
+    let other_tool: fn(&mut State) = |state| state.tool_frame_id = 2;
+    let input_high: fn(&mut State) = |state| state.digital_inputs[0] = true;
+    let input = Numbering::FromOne.cabinet(1).is_high();
+    for (stops, cause) in [(other_tool, Cause::FramesChanged), (input_high, Cause::Guard)] {
+        let (arm, mut robot) = with_limits(limits());
+        let stopping = || {
+            arm.clock().sleep(Duration::from_millis(300));
+            arm.set_state(stops);
+        };
+        let up = MoveL::relative([0.0, 0.0, 30.0, 0.0, 0.0, 0.0], 20.0);
+        let end = beside(arm.clock(), stopping, || robot.run(&up.guard(input), LONG)).expect("it is accepted");
+        assert!(end.cause() == cause && matches!(end.stop, Some(Ok(()))), "{end:?}");
+        assert_waits_for_late_motion(&arm, &mut robot, |state| state.joint_position.0[2] = 140.0);
+    }
 }
