@@ -76,8 +76,8 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The parts that a session uses.
     fn led(&mut self) -> LedArm<'_> {
-        let has_motions = self.planned.has_motions();
-        LedArm { arm: &mut self.arm, limits: &mut self.limits, has_motions }
+        let (has_motions, settling) = (self.planned.has_motions(), self.planned.settling());
+        LedArm { arm: &mut self.arm, limits: &mut self.limits, has_motions, settling }
     }
 }
 

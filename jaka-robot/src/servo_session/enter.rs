@@ -14,6 +14,7 @@ use super::rates::Rates;
 use super::{LedArm, ServoConfig, ServoSession, SessionConfig};
 use crate::arm::{Arm, Sending};
 use crate::limits::LimitChecks;
+use crate::place::Quantity;
 use crate::{Error, Explanation, Report, Rest};
 
 /// Commands that other handles may send while a session leads the arm: outputs, and queries that a controller answers
@@ -46,11 +47,11 @@ impl<'r> ServoSession<'r> {
         (config, rates): (&ServoConfig, Rates),
         check: impl FnOnce(&mut Arm, &mut LimitChecks) -> Result<(), Error>,
     ) -> Result<Self, Error> {
-        let LedArm { arm, limits, has_motions } = led;
+        let LedArm { arm, limits, has_motions, settling } = led;
         config.check_step_count()?;
         rates.check_themselves()?;
         let priority = config.take_priority()?;
-        rest(arm, has_motions, config.enter_timeout)?;
+        rest(arm, (has_motions, settling), config.enter_timeout)?;
         let reserved = Some(arm.reserve(MEANWHILE));
         let (frame_changes, under_way) = (arm.link().frame_changes(), arm.under_way());
         if arm.queries().call(&IsInServomove::new())?.in_servo_mode {
@@ -129,9 +130,9 @@ impl<'r> ServoSession<'r> {
     }
 }
 
-/// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and
-/// do not enter it.
-fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error> {
+/// Waits until the arm is at rest, by the controller's answers, and checks that it rests for the time of `settling`.
+/// While it moves, controllers acknowledge servo mode and do not enter it.
+fn rest(arm: &mut Arm, (has_motions, settling): (bool, Duration), timeout: Duration) -> Result<(), Error> {
     // Others may have moved the arm since a wait saw it at rest.
     arm.position.note_rest(false);
     arm.link().check_open(SetServoMode::INFO.name)?;
@@ -141,5 +142,7 @@ fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error
     }
     arm.known_status(timeout)?;
     // Packets may be old: the controller says whether it moves.
-    if arm.position.comes_to_rest(timeout)? { Ok(()) } else { Err(arm.not_ready(Explanation::Moving)) }
+    let comes_to_rest = arm.position.comes_to_rest(timeout)?;
+    let stays = settling.is_zero() || arm.position.place_still_for(Quantity::Joints, settling, timeout)?.is_some();
+    if comes_to_rest && stays { Ok(()) } else { Err(arm.not_ready(Explanation::Moving)) }
 }

@@ -3,8 +3,9 @@
 use std::time::Duration;
 
 use jaka_robot::motion::{JointMove, MoveL};
-use jaka_robot::{Cause, Robot};
+use jaka_robot::{Cause, Robot, ServoConfig};
 use jaka_sim::Habit;
+use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, LONG};
 
 use super::{PERIOD, arm, changes, to};
@@ -146,4 +147,51 @@ fn a_frame_that_a_clone_selects_after_the_motions_ends_them() {
     let end = robot.wait(LONG);
     assert!(end.cause() == Cause::FramesChanged, "{:?}", end.cause());
     assert_eq!(selections_and_stops(&arm), ["set_tool_id", "stop_program"]);
+}
+
+/// An arm to whose controller `start` has sent motions that were acknowledged away before it began with them, and that
+/// pauses between two; its robot.
+fn given_up(start: impl FnOnce(&mut Robot)) -> (Arm, Robot) {
+    let pause = Habit::Pause(Duration::from_millis(200));
+    let (arm, mut robot) = arm().controller(|controller| controller.habits([pause])).with_robot();
+    arm.set_state(|state| state.rapid_rate = 0.0);
+    start(&mut robot);
+    robot.acknowledge();
+    (arm, robot)
+}
+
+/// Does something while the arm begins with its motions, later than two questions take.
+fn beside_late_begin<T>(arm: &Arm, act: impl FnOnce() -> T) -> T {
+    let begins = || {
+        arm.clock().sleep(Duration::from_millis(300));
+        arm.set_state(|state| state.rapid_rate = 1.0);
+    };
+    beside(arm.clock(), begins, act)
+}
+
+#[test]
+fn an_answer_at_the_target_of_a_motion_after_some_that_were_given_up_is_not_its_end() {
+    let absolute = to(20.0);
+    let relative = JointMove::relative([10.0, 0.0, 0.0, 0.0, 0.0, 0.0], 25.0).acceleration(500.0);
+    for (before, motion, rest) in [([to(20.0), to(40.0)], absolute, 20.0), ([relative, relative], relative, 30.0)] {
+        let (arm, mut robot) =
+            given_up(|robot| before.iter().for_each(|motion| robot.start(motion).expect("it is accepted")));
+        let end = beside_late_begin(&arm, || robot.run(&motion, LONG)).expect("it is accepted");
+        end.at_rest().expect("nothing stops it");
+        assert!((rests_at(&arm) - rest).abs() < 1e-6, "{motion:?}");
+    }
+}
+
+#[test]
+fn servo_mode_is_not_entered_before_motions_that_were_given_up_begin() {
+    let (arm, mut robot) = given_up(|robot| robot.start(&to(20.0)).expect("it is accepted"));
+    let entered = beside_late_begin(&arm, || {
+        robot.enter_servo_mode(ServoConfig::new()).map(|session| {
+            let angle = arm.state().joint_position.0[0];
+            drop(session);
+            angle
+        })
+    });
+    // Either it waits for their end, or it is not entered.
+    assert!(entered.as_ref().map_or(true, |angle| (angle - 20.0).abs() < 1e-6), "{entered:?}");
 }
