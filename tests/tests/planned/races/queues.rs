@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use jaka_robot::motion::{JointMove, MoveL};
-use jaka_robot::{Cause, Robot, ServoConfig};
+use jaka_robot::{Cause, ErrorKind, Explanation, Robot, ServoConfig};
 use jaka_sim::Habit;
-use jaka_tests::simulated::beside;
+use jaka_tests::simulated::{beside, until};
 use jaka_tests::{Arm, LONG};
 
 use super::{PERIOD, arm, changes, to};
@@ -179,6 +179,10 @@ fn an_answer_at_the_target_of_a_motion_after_some_that_were_given_up_is_not_its_
         let end = beside_late_begin(&arm, || robot.run(&motion, LONG)).expect("it is accepted");
         end.at_rest().expect("nothing stops it");
         assert!((rests_at(&arm) - rest).abs() < 1e-6, "{motion:?}");
+        // Nothing is left of them, and so the next motion has ended once one answer says so: after 400 ms.
+        let end = robot.run(&to(rest - 10.0), LONG).expect("it is accepted");
+        assert!(end.cause() == Cause::Reached, "{:?}", end.cause());
+        assert!(end.report.waited < Duration::from_millis(600), "{:?}", end.report.waited);
     }
 }
 
@@ -194,4 +198,24 @@ fn servo_mode_is_not_entered_before_motions_that_were_given_up_begin() {
     });
     // Either it waits for their end, or it is not entered.
     assert!(entered.as_ref().map_or(true, |angle| (angle - 20.0).abs() < 1e-6), "{entered:?}");
+}
+
+/// No motion of before, nor one of a client, is left when set-points begin.
+#[test]
+fn servo_mode_is_not_asked_for_in_the_pause_of_a_queue_and_not_while_the_arm_moves() {
+    type Start = fn(&mut Robot, &JointMove);
+    let starts: [(Start, f64); 2] = [
+        (|robot, motion| robot.start(motion).expect("it is accepted"), 20.0),
+        (|robot, motion| robot.client().joint_move(motion).expect("it is accepted"), 10.0),
+    ];
+    for (start, angle) in starts {
+        let pause = Habit::Pause(Duration::from_secs(1));
+        let (arm, mut robot) = arm().controller(|controller| controller.habits([pause])).with_robot();
+        [20.0, 40.0].iter().for_each(|angle| start(&mut robot, &to(*angle)));
+        until(arm.clock(), || arm.state().joint_position.0[0] >= angle - 1e-9);
+        let config = ServoConfig::new().enter_timeout(Duration::from_millis(300));
+        let error = robot.enter_servo_mode(config).expect_err("motions are left");
+        assert!(matches!(error.kind(), ErrorKind::NotReady { explanation: Explanation::Moving }), "{error:?}");
+        assert_eq!(changes(&arm), ["joint_move"; 2]);
+    }
 }
