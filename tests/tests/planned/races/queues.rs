@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use jaka_robot::motion::{JointMove, MoveL};
-use jaka_robot::{Cause, ErrorKind, Explanation, Robot, ServoConfig};
+use jaka_robot::{Cause, ErrorKind, Explanation, Robot, RobotConfig, ServoConfig};
 use jaka_sim::Habit;
 use jaka_tests::simulated::{beside, until};
-use jaka_tests::{Arm, LONG};
+use jaka_tests::{Arm, Configured as _, LONG};
 
 use super::{PERIOD, arm, changes, to};
 
@@ -64,6 +64,25 @@ fn an_answer_at_the_target_of_a_motion_that_was_sent_to_a_moving_arm_is_not_its_
     let end = robot.run(&to(20.0), LONG).expect("it is accepted");
     assert!(end.cause() == Cause::Reached, "{:?}", end.cause());
     assert!((rests_at(&arm) - 20.0).abs() < 1e-6);
+}
+
+/// It would begin where the arm pauses, and end elsewhere.
+#[test]
+fn a_motion_by_an_offset_that_is_sent_in_the_pause_of_a_queue_has_no_known_target() {
+    let pause = Habit::Pause(Duration::from_secs(1));
+    let (arm, mut robot) = arm().controller(|controller| controller.habits([pause])).with_robot();
+    for angle in [20.0, 40.0] {
+        robot.start(&to(angle)).expect("it is accepted");
+    }
+    until(arm.clock(), || arm.state().joint_position.0[0] >= 20.0 - 1e-9);
+    show(&arm);
+    robot.start(&JointMove::relative([10.0, 0.0, 0.0, 0.0, 0.0, 0.0], 25.0)).expect("it is accepted");
+    let end = robot
+        .configured(&RobotConfig::new().start_grace(Duration::from_secs(2), 3))
+        .expect("it has no limits")
+        .wait(LONG);
+    assert!(end.cause() == Cause::AtRest, "{:?}", end.cause());
+    assert!((rests_at(&arm) - 50.0).abs() < 1e-6);
 }
 
 #[test]
