@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jaka_robot::motion::{EndMove, MoveL};
+use jaka_robot::motion::{EndMove, JointMove, MoveL};
 use jaka_robot::types::Pose;
 use jaka_robot::{Cause, ErrorKind, MotionExt as _, Numbering, Robot, SessionConfig, Unchecked};
 use jaka_sim::{Fault, State};
@@ -98,15 +98,19 @@ fn what_was_acknowledged_away_may_still_begin() {
     assert_eq!(motions(&arm).len(), 1);
 }
 
-/// Starts a turn of joint 3 that is within its range from where the arm is, and beyond it from 140 deg. After 300 ms,
-/// which is longer than the time between two questions, the arm `moves` there.
-fn assert_waits_for_late_motion(arm: &Arm, robot: &mut Robot, moves: impl FnOnce(&mut State) + Send) {
+/// Starts a motion. After 300 ms, which is longer than the questions before it take, the arm `moves`: the motion is not
+/// sent.
+fn assert_waits_for_late_motion(
+    (arm, robot): (&Arm, &mut Robot),
+    motion: &JointMove,
+    moves: impl FnOnce(&mut State) + Send,
+) {
     let sent = motions(arm).len();
     let late = || {
         arm.clock().sleep(Duration::from_millis(300));
         arm.set_state(moves);
     };
-    let error = beside(arm.clock(), late, || robot.start(&turn(3, 50.0))).expect_err("from 140 deg it is beyond");
+    let error = beside(arm.clock(), late, || robot.start(motion)).expect_err("where it begins is not known");
     assert!(!error.may_have_run(), "{error:?}");
     assert_eq!(motions(arm).len(), sent);
 }
@@ -114,13 +118,16 @@ fn assert_waits_for_late_motion(arm: &Arm, robot: &mut Robot, moves: impl FnOnce
 /// An arm that begins late rests when it is asked at once.
 #[test]
 fn what_was_acknowledged_away_may_begin_late() {
-    let (arm, mut robot) = with_limits(limits());
-    arm.set_state(|state| state.rapid_rate = 0.0);
-    robot.start(&turn(3, 60.0)).expect("to 140 deg");
-    robot.acknowledge();
-    assert_waits_for_late_motion(&arm, &mut robot, |state| state.rapid_rate = 1.0);
-    until(arm.clock(), || arm.state().at_rest);
-    robot.start(&turn(3, -50.0)).expect("from 140 deg it is within");
+    let back = JointMove::absolute(START, 30.0).acceleration(60.0);
+    for motion in [turn(3, 50.0), back] {
+        let (arm, mut robot) = with_limits(limits());
+        arm.set_state(|state| state.rapid_rate = 0.0);
+        robot.start(&turn(3, 60.0)).expect("to 140 deg");
+        robot.acknowledge();
+        assert_waits_for_late_motion((&arm, &mut robot), &motion, |state| state.rapid_rate = 1.0);
+        until(arm.clock(), || arm.state().at_rest);
+        robot.start(&turn(3, -50.0)).expect("from 140 deg it is within");
+    }
 }
 
 /// A stop that was accepted does not prove that the arm rests.
@@ -139,7 +146,8 @@ fn an_arm_that_was_stopped_may_move_late() {
         let up = MoveL::relative([0.0, 0.0, 30.0, 0.0, 0.0, 0.0], 20.0).guard(Numbering::FromOne.cabinet(1).is_high());
         let end = beside(arm.clock(), event, || robot.run(&up, Duration::from_secs(1))).expect("it is accepted");
         assert!(end.cause() == cause && matches!(end.stop, Some(Ok(()))), "{end:?}");
-        assert_waits_for_late_motion(&arm, &mut robot, |state| state.joint_position.0[2] = 140.0);
+        let moves: fn(&mut State) = |state| state.joint_position.0[2] = 140.0;
+        assert_waits_for_late_motion((&arm, &mut robot), &turn(3, 50.0), moves);
         // Nothing is left of the motion that was stopped.
         robot.start(&turn(3, -50.0)).expect("from 140 deg it is within");
     }

@@ -230,7 +230,9 @@ fn servo_mode_is_not_asked_for_in_the_pause_of_a_queue_and_not_while_the_arm_mov
     for (start, angle) in starts {
         let pause = Habit::Pause(Duration::from_secs(1));
         let (arm, mut robot) = arm().controller(|controller| controller.habits([pause])).with_robot();
-        [20.0, 40.0].iter().for_each(|angle| start(&mut robot, &to(*angle)));
+        for angle in [20.0, 40.0] {
+            start(&mut robot, &to(angle));
+        }
         until(arm.clock(), || arm.state().joint_position.0[0] >= angle - 1e-9);
         let config = ServoConfig::new().enter_timeout(Duration::from_millis(300));
         let error = robot.enter_servo_mode(config).expect_err("motions are left");
