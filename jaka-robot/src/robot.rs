@@ -289,9 +289,8 @@ impl<S: MotionStatus> Robot<S> {
     /// Confirms that somebody has checked the robot. Motions are sent again, unless something else prevents them, such
     /// as a stop on its way.
     ///
-    /// Gives up motions that nobody has waited for. The arm may begin them yet: until it was seen at rest, the next
-    /// motion takes the whole [grace](crate::RobotConfig::start_grace) to end, and servo mode waits as long before it is
-    /// entered.
+    /// Gives up motions that nobody has waited for. The arm may begin them yet: until it was seen at rest, the end of
+    /// the next motion takes the whole [grace](RobotConfig::start_grace), and servo mode is entered only after it.
     pub fn acknowledge(&mut self) {
         self.arm.state.acknowledge();
         if self.planned.give_up() {
