@@ -33,6 +33,8 @@ use crate::{Cause, End, Error, Report, Rest, Run};
 pub(crate) struct Planned {
     /// Motions that were accepted and have not been waited for.
     batch: Option<Batch>,
+    /// True if motions were given up that the arm may not have begun yet, and it was not seen to rest since.
+    has_given_up: bool,
     pub(crate) grace: Grace,
     /// Longest time without a status packet during a wait.
     pub(crate) silence: Duration,
@@ -40,7 +42,7 @@ pub(crate) struct Planned {
 
 impl Planned {
     pub(crate) fn new(grace: Grace, silence: Duration) -> Self {
-        Self { batch: None, grace, silence }
+        Self { batch: None, has_given_up: false, grace, silence }
     }
 
     /// True if motions were accepted that have not been waited for.
@@ -48,9 +50,16 @@ impl Planned {
         self.batch.is_some()
     }
 
-    /// Gives the motions up: true if there were some.
+    /// Gives the motions up, which the arm may not have begun yet: true if there were some.
     pub(crate) fn give_up(&mut self) -> bool {
-        self.batch.take().is_some()
+        let had_motions = self.batch.take().is_some();
+        self.has_given_up |= had_motions;
+        had_motions
+    }
+
+    /// Time for which an arm must be seen to rest: after motions that were given up, as long as one may take to begin.
+    pub(crate) fn settling(&self) -> Duration {
+        if self.has_given_up { self.grace.time } else { Duration::ZERO }
     }
 
     fn accepted(&mut self, arm: &Arm, goal: Destination, begin: Begin) {
@@ -144,8 +153,16 @@ impl Moving<'_> {
         (begin.stops, begin.depends_on_frames) = (stops, self.depends_on_frames(motion));
         let is_first_at_rest = !self.planned.has_motions() && begin.at_rest;
         if let Some(quantity) = Quantity::of_start(motion.target).filter(|_| is_first_at_rest) {
-            begin.start = self.arm.position.place_at_rest(quantity, since.left_of(timeout))?;
+            let (settling, left) = (self.planned.settling(), since.left_of(timeout));
+            let position = &mut self.arm.position;
+            begin.start = if settling.is_zero() {
+                position.place_at_rest(quantity, left)?
+            } else {
+                position.place_settled(quantity, settling, left)?
+            };
+            self.planned.has_given_up &= begin.start.is_none();
         }
+        begin.at_rest &= !self.planned.has_given_up;
         Ok(begin)
     }
 
@@ -176,7 +193,9 @@ impl Moving<'_> {
         let mut wait = EndWait { arm: self.arm, rule: &mut rule, silence: self.planned.silence };
         let (occurrence, rest) = wait.end(timeout, gives_up);
         let (cause, consequence) = (occurrence.cause, occurrence.consequence());
-        self.arm.position.note_rest(rest == Rest::Answers && matches!(cause, Cause::Reached | Cause::AtRest));
+        let is_at_rest = rest == Rest::Answers && matches!(cause, Cause::Reached | Cause::AtRest);
+        self.arm.position.note_rest(is_at_rest);
+        self.planned.has_given_up &= !is_at_rest;
         if consequence.latches() {
             self.arm.state.latch(&occurrence);
         }
@@ -198,7 +217,8 @@ impl Moving<'_> {
     /// not waited for any more then.
     fn take(&mut self, stop: &Sent) -> bool {
         if stop.accepted.is_ok() {
-            self.planned.give_up();
+            // The controller begins none of them.
+            self.planned.batch = None;
             self.limits.unsettle();
         }
         stop.accepted.is_ok()

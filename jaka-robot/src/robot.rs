@@ -101,8 +101,8 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The parts that a session uses.
     fn led(&mut self) -> LedArm<'_> {
-        let has_motions = self.planned.has_motions();
-        LedArm { arm: &mut self.arm, limits: &mut self.limits, has_motions }
+        let (has_motions, settling) = (self.planned.has_motions(), self.planned.settling());
+        LedArm { arm: &mut self.arm, limits: &mut self.limits, has_motions, settling }
     }
 }
 
@@ -343,6 +343,9 @@ impl<S: MotionStatus> Robot<S> {
 
     /// Confirms that somebody has checked the robot. Motions are sent again, unless something else prevents them, such
     /// as a stop on its way.
+    ///
+    /// Gives up motions that nobody has waited for. The arm may begin them yet: until it was seen at rest, the end of
+    /// the next motion takes the whole [grace](RobotConfig::start_grace), and servo mode is entered only after it.
     pub fn acknowledge(&mut self) {
         self.arm.state.acknowledge();
         if self.planned.give_up() {

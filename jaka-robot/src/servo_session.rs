@@ -53,6 +53,8 @@ pub(crate) struct LedArm<'r> {
     pub(crate) limits: &'r mut LimitChecks,
     /// True if motions were started that have not been waited for.
     pub(crate) has_motions: bool,
+    /// Time for which the arm must rest.
+    pub(crate) settling: Duration,
 }
 
 /// Arm of a session in a separate thread.
@@ -61,19 +63,21 @@ pub(crate) struct LentArm {
     pub(crate) arm: Arm,
     limits: LimitChecks,
     has_motions: bool,
+    settling: Duration,
 }
 
 impl LedArm<'_> {
     /// Returns the arm for another thread, which ends before the borrowed arm is dropped.
     pub(crate) fn lent(self) -> LentArm {
-        LentArm { arm: self.arm.lent(), limits: self.limits.lent(), has_motions: self.has_motions }
+        let Self { arm, limits, has_motions, settling } = self;
+        LentArm { arm: arm.lent(), limits: limits.lent(), has_motions, settling }
     }
 }
 
 impl LentArm {
     pub(crate) fn led(&mut self) -> LedArm<'_> {
-        let Self { arm, limits, has_motions } = self;
-        LedArm { arm, limits, has_motions: *has_motions }
+        let Self { arm, limits, has_motions, settling } = self;
+        LedArm { arm, limits, has_motions: *has_motions, settling: *settling }
     }
 }
 

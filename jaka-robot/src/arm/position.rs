@@ -197,15 +197,27 @@ impl Position {
     /// Place of the arm at rest, by three answers that show rest, or by one if the arm was seen at rest and nothing was
     /// sent since; `None` if the controller does not report it, or the arm moves.
     pub(crate) fn place_at_rest(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
-        let since = self.clock().stopwatch();
-        if self.rests != Some(self.link.changes_but_of(self.handle)) {
-            match (self.place_still_for(APART * 2, timeout)?, quantity) {
-                (Some(joints), Quantity::Joints) => return Ok(Some(Place::Joints(joints))),
-                (Some(_), Quantity::Pose) => {}
-                (None, _) => return Ok(None),
-            }
+        if self.rests == Some(self.link.changes_but_of(self.handle)) {
+            self.place(quantity, timeout)
+        } else {
+            self.place_settled(quantity, APART * 2, timeout)
         }
-        self.place(quantity, since.left_of(timeout))
+    }
+
+    /// Place of the arm by answers after three that show rest over at least this time; `None` if the controller does not
+    /// report it, or the arm moves.
+    pub(crate) fn place_settled(
+        &mut self,
+        quantity: Quantity,
+        time: Duration,
+        timeout: Duration,
+    ) -> Result<Option<Place>, Error> {
+        let since = self.clock().stopwatch();
+        match (self.place_still_for(time, timeout)?, quantity) {
+            (None, _) => Ok(None),
+            (Some(joints), Quantity::Joints) => Ok(Some(Place::Joints(joints))),
+            (Some(_), Quantity::Pose) => self.place(quantity, since.left_of(timeout)),
+        }
     }
 
     /// Place of the arm, by three answers that show rest over at least this time; `None` if the controller does not

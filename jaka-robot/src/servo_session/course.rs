@@ -8,8 +8,9 @@ use super::set_point::{SetPoint, SetPointStep};
 /// The last set-points, in joints and in poses, as far as they are known.
 #[derive(Debug, Clone)]
 pub(crate) struct Course {
-    joints: LastTwo<JointPosition>,
-    poses: LastTwo<Pose>,
+    joints: LastTwo,
+    /// The last pose, where it is known.
+    pose: Option<Pose>,
     /// The last one; none while nothing was sent.
     sent: Option<SetPoint>,
     /// Step from the set-point before to the last one, where it is known.
@@ -18,23 +19,23 @@ pub(crate) struct Course {
 
 /// The last but one and the last, where they are known.
 #[derive(Debug, Clone, Copy)]
-struct LastTwo<T> {
-    before: Option<T>,
-    last: Option<T>,
+struct LastTwo {
+    before: Option<JointPosition>,
+    last: Option<JointPosition>,
 }
 
-impl<T: Copy> LastTwo<T> {
+impl LastTwo {
     const UNKNOWN: Self = Self { before: None, last: None };
 
-    fn at(place: Option<T>) -> Self {
+    fn at(place: Option<JointPosition>) -> Self {
         Self { before: place, last: place }
     }
 
-    fn then(self, next: Option<T>) -> Self {
+    fn then(self, next: Option<JointPosition>) -> Self {
         Self { before: self.last, last: next }
     }
 
-    fn both(self) -> Option<[T; 2]> {
+    fn both(self) -> Option<[JointPosition; 2]> {
         Some([self.before?, self.last?])
     }
 }
@@ -42,12 +43,12 @@ impl<T: Copy> LastTwo<T> {
 impl Course {
     /// Of a session that has not begun.
     pub(super) fn unknown() -> Self {
-        Self { joints: LastTwo::UNKNOWN, poses: LastTwo::UNKNOWN, sent: None, step: None }
+        Self { joints: LastTwo::UNKNOWN, pose: None, sent: None, step: None }
     }
 
     /// Of a session that begins at rest here.
     pub(super) fn at(joints: JointPosition, pose: Option<Pose>) -> Self {
-        Self { joints: LastTwo::at(Some(joints)), poses: LastTwo::at(pose), sent: None, step: None }
+        Self { joints: LastTwo::at(Some(joints)), pose, sent: None, step: None }
     }
 
     /// The last two set-points, in joint positions, where they are known.
@@ -75,7 +76,7 @@ impl Course {
         match next {
             SetPoint::Joints(target) => self.joints.last.map(|last| SetPointStep::between_joints(last, *target)),
             SetPoint::JointOffset(offset) => Some(SetPointStep::Joints(offset.0)),
-            SetPoint::Pose(target) => self.poses.last.map(|last| SetPointStep::between_poses(last, *target)),
+            SetPoint::Pose(target) => self.pose.map(|last| SetPointStep::between_poses(last, *target)),
             // The angles are taken as a turn, which they are where they are small.
             SetPoint::PoseOffset(offset) => Some(SetPointStep::Pose((*offset).into())),
         }
@@ -100,10 +101,7 @@ impl Course {
     pub(super) fn sent(&mut self, set_point: SetPoint, joints: Option<JointPosition>) {
         self.step = self.step_to(&set_point);
         self.joints = self.joints.then(joints);
-        self.poses = match set_point {
-            SetPoint::Pose(target) => self.poses.then(Some(target)),
-            _ => LastTwo::UNKNOWN,
-        };
+        self.pose = if let SetPoint::Pose(target) = set_point { Some(target) } else { None };
         self.sent = Some(set_point);
     }
 
@@ -117,14 +115,13 @@ impl Course {
     /// No set-point came when one was due: the arm stands at the last one.
     pub(super) fn paused(&mut self) {
         self.joints = LastTwo::at(self.joints.last);
-        self.poses = LastTwo::at(self.poses.last);
         self.step = self.sent.map(|_| SetPointStep::Joints([0.0; 6]));
     }
 
-    /// A reply was lost: where offsets have led is not known.
+    /// A reply was lost: where offsets have led is not known. After one of a pose no place is known in any case.
     pub(super) fn lost(&mut self) {
-        if let Some(SetPoint::JointOffset(_) | SetPoint::PoseOffset(_)) = self.sent {
-            (self.joints, self.poses) = (LastTwo::UNKNOWN, LastTwo::UNKNOWN);
+        if let Some(SetPoint::JointOffset(_)) = self.sent {
+            self.joints = LastTwo::UNKNOWN;
         }
     }
 

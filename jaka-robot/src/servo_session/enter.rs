@@ -39,12 +39,12 @@ impl<'r> ServoSession<'r> {
         (config, rates): (&ServoConfig, Rates),
         check: impl FnOnce(&mut Arm, &mut LimitChecks) -> Result<(), Error>,
     ) -> Result<Self, Error> {
-        let LedArm { arm, limits, has_motions } = led;
+        let LedArm { arm, limits, has_motions, settling } = led;
         config.check_step_count()?;
         rates.check_themselves()?;
         let priority = config.take_priority()?;
         let not_sent = |error: Error| error.before(SetServoMode::INFO.name);
-        rest(arm, has_motions, config.enter_timeout).map_err(not_sent)?;
+        rest(arm, (has_motions, settling), config.enter_timeout).map_err(not_sent)?;
         let owner = arm.link().new_owner();
         let lead = Some(arm.lead(owner).map_err(not_sent)?);
         let (frame_changes, under_way, since_packet) =
@@ -140,9 +140,9 @@ impl<'r> ServoSession<'r> {
     }
 }
 
-/// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and
-/// do not enter it.
-fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error> {
+/// Waits until the arm is at rest, by the controller's answers, and checks that it rests for the time of `settling`.
+/// While it moves, controllers acknowledge servo mode and do not enter it.
+fn rest(arm: &mut Arm, (has_motions, settling): (bool, Duration), timeout: Duration) -> Result<(), Error> {
     arm.link().check_open(SetServoMode::INFO.name)?;
     arm.check_acknowledged()?;
     if has_motions {
@@ -150,5 +150,7 @@ fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error
     }
     arm.known_status(timeout)?;
     // Packets may be old: the controller says whether it moves.
-    arm.position.wait_for_rest(timeout).map(drop)
+    arm.position.wait_for_rest(timeout)?;
+    let stays = settling.is_zero() || arm.position.place_still_for(settling, timeout)?.is_some();
+    if stays { Ok(()) } else { Err(arm.not_ready(Explanation::Moving)) }
 }

@@ -225,6 +225,8 @@ impl ServoSession<'_> {
         }
         let cycle = self.wait_for_cycle();
         let sent = self.check_news().and(cycle).and_then(|_| {
+            // After a lost reply it is not known where an offset has led.
+            self.take_answers(ServoJ::INFO.name)?;
             self.look_at_frames();
             if set_point.is_pose() || self.limits.depend_on_frames() {
                 self.check_frames()?;

@@ -127,3 +127,26 @@ fn a_servo_session_lands_where_the_type_of_packets_panics_once_or_from_then_on()
         assert!(robot.unacknowledged().is_some(), "{error}");
     }
 }
+
+/// The lost status would have the session land.
+#[test]
+fn no_set_point_goes_out_after_a_stop_that_a_packet_has_shown_also_if_the_status_is_lost_after_it() {
+    for (key, cause) in [("emergency_stop", Cause::EmergencyStop), ("protective_stop", Cause::ProtectiveStop)] {
+        let (controller, mut robot) = ready();
+        let show = |stop: u8| {
+            controller.set_status([(key.to_owned(), stop.into())]);
+            pass_packet(&controller, false);
+        };
+        let mut session = robot.enter_servo_mode(ServoConfig::new().step_count(4)).expect("the arm is enabled");
+        for n in 1..=5 {
+            session.send_joint_offset([0.0, 0.0, 0.5 * f64::from(n), 0.0, 0.0, 0.0]).expect("it is within the limits");
+        }
+        show(1);
+        show(0);
+        pass_packet(&controller, true);
+        let error = session.send_joint_offset([0.0, 0.0, 2.5, 0.0, 0.0, 0.0]).expect_err("a packet has shown a stop");
+        assert_eq!(error.cause(), cause, "{error:?}");
+        drop(session);
+        assert_eq!(steps(&controller), [0.5, 1.0, 1.5, 2.0, 2.5]);
+    }
+}

@@ -3,6 +3,7 @@
 
 mod guards;
 mod power;
+mod queues;
 mod sending;
 mod stops;
 mod waits;

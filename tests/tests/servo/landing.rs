@@ -4,14 +4,18 @@
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::time::Duration;
 
+use jaka_robot::jaka_motion::{Frames, Model};
 use jaka_robot::types::Pose;
-use jaka_robot::{Cause, End, Error, ErrorKind, Occurrence, Robot, ServoConfig, ServoSession, SessionConfig};
+use jaka_robot::{
+    Cause, End, Error, ErrorKind, Occurrence, Robot, RobotConfig, ServoConfig, ServoSession, SessionConfig,
+};
 use jaka_sim::{Controller, Fault, Port, Trip, Underrun};
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, ArmBuilder, CYCLE, LONG};
+use jaka_tests::{Arm, ArmBuilder, CYCLE, Configured as _, LONG};
 use serde_json::Value;
 
-use crate::received::{names, offsets, requests};
+use crate::follow;
+use crate::received::{names, offsets, positions, requests};
 
 const CYCLES: u32 = 4;
 const PERIOD: f64 = 0.032;
@@ -417,6 +421,30 @@ fn set_points_that_are_poses_are_compared_and_braked_along_their_line() {
         assert!((x - 0.4 * up).abs() < 1e-6 && (y + 0.3 * up).abs() < 1e-6, "off its line");
     }
     assert!(poses.len() > 5 && poses.last() == poses.get(poses.len() - 2), "{poses:?}");
+}
+
+/// The way on in joints was checked against the limits, that along the line of the poses was not.
+#[test]
+fn poses_within_limits_are_braked_in_joints() {
+    let (arm, robot) = arm().at(follow::START).with_robot();
+    let mut robot = robot.configured(&RobotConfig::new().limits(follow::limits())).expect("it is this arm");
+    let start = arm.state().tcp_pose;
+    let mut session = entered(&mut robot);
+    // 375 mm/s in the end.
+    let mut pose = start;
+    for n in 1..=10 {
+        pose.z -= 1.2 * f64::from(n);
+        session.send_pose(pose).expect("it is within the limits");
+    }
+    session.land().and_then(End::at_rest).expect("it comes to rest");
+    let (joints, _) = positions(&arm, CYCLES);
+    let model = Model::named("Zu 5").expect("a published arm");
+    let braked = joints.iter().map(|joints| Frames::new().pose(model.forward(*joints)).z);
+    let heights: Vec<f64> = poses(&arm).iter().map(|pose| pose[2]).chain(braked).collect();
+    let steps: Vec<f64> = heights.windows(2).map(|two| two[1] - two[0]).collect();
+    // 570 deg/s² of each joint; an arm that is left at speed would stop from 12 mm a period.
+    assert!(steps.windows(2).all(|two| (two[1] - two[0]).abs() < 6.0), "{steps:?}");
+    assert!(steps.last().is_some_and(|step| step.abs() < 1e-6), "{steps:?}");
 }
 
 #[test]

@@ -4,9 +4,14 @@ use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
+use jaka_robot::io::SetDigitalOutput;
+use jaka_robot::jaka_motion::{Limits, Model};
 use jaka_robot::servo::SetServoMoveFilter;
 use jaka_robot::types::{JointPosition, Pose, Switch};
-use jaka_robot::{Cause, ErrorCode, ErrorKind, Explanation, Robot, ServoConfig, SessionConfig};
+use jaka_robot::{
+    Cause, Client, End, Error, ErrorCode, ErrorKind, Explanation, Robot, RobotConfig, ServoConfig, ServoSession,
+    SessionConfig, Unchecked,
+};
 use jaka_sim::Fault;
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, CYCLE, LONG};
@@ -213,6 +218,80 @@ fn an_answer_that_a_later_reply_overtakes_counts_as_missing() {
     other.get_robot_state().expect("its reply comes, and that to the set-point does not");
     let report = session.land().expect("nothing was refused").report;
     assert_eq!((report.cycles, report.accepted, report.unanswered), (1, report.landing_cycles, 1));
+}
+
+/// Sends a set-point whose reply a later one overtakes, so that it is lost: the controller may have taken it or not.
+fn send_and_lose_reply(arm: &Arm, other: &mut Client, send: impl FnOnce() -> Result<(), Error>) {
+    arm.inject_for("servo_j", Fault::Drop);
+    send().expect("servo mode is on");
+    other.set_digital_output(&SetDigitalOutput::cabinet(1, Switch::On)).expect("its reply comes");
+}
+
+fn turn(session: &mut ServoSession<'_>, by: f64) -> Result<(), Error> {
+    session.send_joint_offset([by, 0.0, 0.0, 0.0, 0.0, 0.0])
+}
+
+/// Number of absolute set-points that the controller received.
+fn absolute_set_points(arm: &Arm) -> usize {
+    let is_absolute = |request: &&String| request.contains("servo_j") && request.contains(r#""relFlag":0"#);
+    arm.requests().iter().filter(is_absolute).count()
+}
+
+#[test]
+fn after_the_lost_reply_to_an_absolute_set_point_the_next_one_goes_out() {
+    let (arm, mut robot) = ready();
+    let mut other = robot.client().try_clone().expect("the connection is there");
+    let mut target = arm.state().joint_position;
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is enabled");
+    send_and_lose_reply(&arm, &mut other, || session.send_joints(target));
+    target.0[0] += 0.004;
+    session.send_joints(target).expect("its distance is known");
+    session.land().and_then(End::at_rest).expect("it rests");
+    assert!((arm.state().joint_position.0[0] - target.0[0]).abs() < 1e-6);
+}
+
+#[test]
+fn after_the_lost_reply_to_an_offset_only_offsets_go_out() {
+    for followed in [0, 1] {
+        let (arm, mut robot) = ready();
+        let mut other = robot.client().try_clone().expect("the connection is there");
+        let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is enabled");
+        send_and_lose_reply(&arm, &mut other, || turn(&mut session, 0.004));
+        for _ in 0..followed {
+            turn(&mut session, 0.004).expect("its distance is known");
+        }
+        let error = session.send_joints(arm.state().joint_position).expect_err("its distance is not known");
+        assert!(error.to_string().contains("at an unknown distance"), "{error}");
+        drop(session);
+        assert_eq!(absolute_set_points(&arm), 0, "after {followed} offsets");
+    }
+}
+
+#[test]
+fn after_the_lost_reply_to_an_offset_no_offset_is_within_limits() {
+    let (arm, mut robot) = ready();
+    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+    robot.configure(&RobotConfig::new().limits(limits)).expect("it is this arm");
+    let mut other = robot.client().try_clone().expect("the connection is there");
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm is enabled");
+    send_and_lose_reply(&arm, &mut other, || turn(&mut session, 0.004));
+    let error = turn(&mut session, 0.004).expect_err("its start is not known");
+    assert!(matches!(error.kind(), ErrorKind::NotChecked { reason: Unchecked::Start, .. }), "{error:?}");
+    drop(session);
+    // The landing holds the arm.
+    let (steps, _) = offsets(&arm, 1);
+    assert_eq!(steps.iter().filter(|step| step[0] != 0.0).count(), 1, "{steps:?}");
+}
+
+/// The controller has not taken it, and the arm rests where no set-point has led it.
+#[test]
+fn a_landing_after_the_lost_reply_to_an_offset_sees_rest_wherever_the_arm_is() {
+    let (arm, mut robot) = ready();
+    let mut other = robot.client().try_clone().expect("the connection is there");
+    let mut session = robot.enter_servo_mode(unchecked()).expect("the arm is enabled");
+    send_and_lose_reply(&arm, &mut other, || turn(&mut session, 0.4));
+    arm.set_state(|state| state.joint_position.0[0] -= 0.4);
+    session.land().and_then(End::at_rest).expect("it rests");
 }
 
 #[test]
