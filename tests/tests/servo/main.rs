@@ -19,6 +19,7 @@ mod session;
 mod simulated_time;
 mod stalls;
 mod stop_lengths;
+mod stop_matrix;
 mod stream;
 mod stream_soak;
 mod trajectories;

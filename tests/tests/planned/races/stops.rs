@@ -7,7 +7,7 @@ use jaka_sim::{Controller, Delays, Fault, Port};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, Configured as _, LONG};
 
-use super::{FAR, Hooked, PERIOD, arm, assert_moves, assert_stopped_on_the_way, changes, names, refusal, to};
+use super::{FAR, Hooked, arm, assert_moves, assert_stopped_on_the_way, changes, names, refusal, to};
 
 /// Calls `act` while a stop has been received by the controller and is not answered; then lets the reply pass.
 fn while_a_stop_is_on_its_way<T>(arm: &Arm, stop: &RobotStop, is_taken: bool, act: impl FnOnce() -> T) -> T {
@@ -99,25 +99,6 @@ fn a_stop_that_a_packet_shows_takes_the_place_of_a_lost_status() {
         "{:?}",
         robot.unacknowledged()
     );
-}
-
-#[test]
-fn a_lost_status_does_not_take_the_place_of_a_stop_that_a_packet_has_shown() {
-    let (arm, robot) = arm().with_robot();
-    let mut robot =
-        robot.configured(&RobotConfig::new().status_silence(Duration::from_secs(1))).expect("it has no limits");
-    let shows = |stop: bool| {
-        arm.set_status([("protective_stop".to_owned(), stop.into())]);
-        arm.clock().sleep(3 * PERIOD);
-    };
-    robot.start(&to(FAR)).expect("it is accepted");
-    shows(true);
-    shows(false);
-    arm.link(Port::Status).to_client().hold();
-    let end = robot.wait(LONG);
-    assert!(end.cause() == Cause::StatusLost, "{:?}", end.cause());
-    let unacknowledged = robot.unacknowledged();
-    assert!(unacknowledged.as_ref().is_some_and(|found| found.cause == Cause::ProtectiveStop), "{unacknowledged:?}");
 }
 
 #[test]
