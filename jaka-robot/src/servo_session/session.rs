@@ -10,7 +10,7 @@ use jaka_proto::Command;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::recording::MotionStep;
-use jaka_sync::layer::{Answers, ClientParts as _, Gate, Leading, Owner};
+use jaka_sync::layer::{Answers, ClientParts as _, Gate, Kept, Leading, Owner};
 
 use super::ServoConfig;
 use super::course::Course;
@@ -19,7 +19,7 @@ use super::pace::{Cycle, Pace};
 use super::rates::Rates;
 use super::realtime::RealtimePriority;
 use super::set_point::{SetPoint, SetPointStep};
-use crate::arm::{Arm, Sending, Since};
+use crate::arm::{Arm, Sending, Since, kept_back};
 use crate::error::SessionEnd;
 use crate::limits::LimitChecks;
 use crate::under_way::UnderWay;
@@ -249,7 +249,13 @@ impl ServoSession<'_> {
     /// Fails once packets have shown a state of the robot that ends the session.
     pub(super) fn check_news(&mut self) -> Result<(), Error> {
         self.look_for_news();
-        self.news.clone().map_or(Ok(()), |news| Err(self.ended_by(news)))
+        let Some(news) = self.news.clone() else { return Ok(()) };
+        // After a stop of the program, an error of the controller is its consequence.
+        let is_stopped = self.lead.is_some() && self.arm.stops().check_set_point().is_err();
+        if is_stopped && !news.consequence().latches() {
+            return Err(self.arm.attach(kept_back(Kept::Stopped)));
+        }
+        Err(self.ended_by(news))
     }
 
     /// Error of a session that the state of the robot has ended.

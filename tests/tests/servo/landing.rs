@@ -151,8 +151,9 @@ fn a_stop_of_the_program_brakes_first_and_nothing_goes_out_after_it() {
         // While the session waits for its tenth set-point.
         clock.sleep(SERVO_PERIOD * 8 + SERVO_PERIOD / 2);
         stop.stop().expect("the controller takes the stop");
-        // The tenth is the first of four that brake the arm, and the stop goes out with the last of these.
-        assert_eq!(clock.now() - since, SERVO_PERIOD * 12);
+        // The tenth is the first of four that brake the arm. The stop goes out a period after the last of these, at
+        // rest.
+        assert_eq!(clock.now() - since, SERVO_PERIOD * 13);
     };
     let error = beside(clock, stopping, || {
         speed_up(&mut session);
@@ -160,9 +161,9 @@ fn a_stop_of_the_program_brakes_first_and_nothing_goes_out_after_it() {
     });
     assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
     let (steps, after) = steps(&arm);
-    assert_eq!(steps.len(), 13);
+    assert_eq!(steps.len(), 14);
     // Nothing holds the arm after the stop: it stands.
-    braked(&[&steps[..], &[0.0]].concat());
+    braked(&steps);
     assert_eq!(after[0], "stop_program");
 }
 

@@ -150,13 +150,14 @@ fn a_stop_goes_out_as_soon_as_the_arm_is_braked_and_no_set_point_after_it() {
     let names: Vec<_> = requests(&arm).into_iter().map(|request| request["cmdName"].clone()).collect();
     let stop_at = names.iter().rposition(|name| name == "stop_program").expect("it came");
     assert!(!names[stop_at..].iter().any(|name| name == "servo_j"), "{names:?}");
-    let sent = steps(&arm);
+    let mut sent = steps(&arm);
+    assert_eq!(sent.pop(), Some(0.0), "the last step takes its period: {sent:?}");
     assert!(!sent.contains(&0.0), "it is not held by set-points: {sent:?}");
     let braking = sent.iter().rev().take_while(|step_sent| **step_sent < step(RAMP) - 1e-9).count();
     assert_eq!(braking, RAMP as usize - 1, "{sent:?}");
-    // It goes out with the last set-point that brakes, at the latest in the cycle after it.
+    // It goes out a period after the last set-point that brakes, at the latest in the cycle after that.
     let cycles = u32::try_from(sent.len() - RAMP as usize).expect("few");
-    assert!(stopped <= CYCLE * (cycles + 1), "after {stopped:?}, {cycles} cycles");
+    assert!(stopped <= CYCLE * (cycles + 2), "after {stopped:?}, {cycles} cycles");
 }
 
 /// The arm is held by set-points while no packet shows rest. It is guarded twice, by each of the gates of set-points
