@@ -17,12 +17,14 @@ mod text;
 mod words;
 
 use std::env::args_os;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::commands::Command;
+use crate::commands::{Command, StopLine};
 use crate::failure::Failure;
+use crate::failure::command_line::is_help;
 use crate::terminal::console::ConsoleArgs;
 
 /// Text of `jaka --help` after the list of commands.
@@ -85,6 +87,22 @@ struct Cli {
     console: ConsoleArgs,
 }
 
+impl Cli {
+    /// Reads a command line. That of `jaka stop` may have words that do not concern it.
+    fn read(line: Vec<OsString>) -> Result<Self, clap::Error> {
+        let error = match Self::try_parse_from(&line) {
+            Err(error) if !is_help(&error) => error,
+            read => return read,
+        };
+        let Some(stop) = StopLine::of(&line) else { return Err(error) };
+        let mut cli = Self::try_parse_from(stop.words)?;
+        if let Command::Stop(command) = &mut cli.command {
+            command.ignored = stop.ignored;
+        }
+        Ok(cli)
+    }
+}
+
 fn main() -> ExitCode {
     let caught = arm::interrupt::begin();
     terminal::logging::begin();
@@ -95,7 +113,7 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Failure> {
-    let cli = Cli::try_parse()?;
+    let cli = Cli::read(args_os().collect())?;
     cli.console.apply();
     let result = cli.command.run();
     let recorded = recordings::record::finish();

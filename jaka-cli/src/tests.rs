@@ -17,7 +17,6 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
-use clap::Parser as _;
 use jaka_dynamic::Node;
 use jaka_sync::{Config, SimulatedClock};
 use jaka_tests::Arm;
@@ -84,7 +83,7 @@ pub(crate) fn jaka_at<S: AsRef<str>>(
 pub(crate) fn without_robot<S: AsRef<str>>(words: impl IntoIterator<Item = S>) -> Run {
     let words = ["jaka".to_owned()].into_iter().chain(words.into_iter().map(|word| word.as_ref().to_owned()));
     PRINTED.take();
-    let ended = Cli::try_parse_from(words).map_err(Failure::from).and_then(|cli| cli.command.run());
+    let ended = Cli::read(words.map(Into::into).collect()).map_err(Failure::from).and_then(|cli| cli.command.run());
     let code = ended.err().map_or(0, |failure| {
         match &failure {
             Failure::CommandLine(error) if is_help(error) => {

@@ -114,9 +114,12 @@ pub(crate) fn intent<C: Command>(request: &C) -> Result<Intent<'static>, Failure
 }
 
 impl Act {
-    /// Begins an action that sends its request without a question.
-    pub(crate) fn at_once(robot: &RobotArgs) -> Result<Self, Failure> {
-        Self::begin(robot, &[])
+    /// Begins an action that sends its request without a question, also if it cannot be recorded; the failure of that
+    /// comes with it.
+    pub(crate) fn at_once(robot: &RobotArgs) -> Result<(Self, Option<Failure>), Failure> {
+        let under_way = UnderWay::begin();
+        let (target, unrecorded) = robot.target_or_unrecorded(&[])?;
+        Ok((Self { target, under_way }, unrecorded))
     }
 
     fn begin(robot: &RobotArgs, packs: &[PathBuf]) -> Result<Self, Failure> {
