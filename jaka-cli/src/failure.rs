@@ -145,6 +145,7 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
         Remedy::MoveAway => "when somebody has looked at the arm, `jaka jog` moves it away from the limit",
         Remedy::SeeServoMode => "find the program that uses servo mode",
         Remedy::WaitOrStop => "`jaka stop` stops it, `jaka status --watch` shows it",
+        Remedy::WaitForRest => "`jaka stop` stops it; try again once it is at rest",
         Remedy::LookAtArm => "look at the arm before it moves again",
         Remedy::SelectFrames => {
             "find the person or program that changed it, and select the frames of the motion: `jaka call set_tool_id`, \

@@ -4,6 +4,7 @@ mod guards;
 #[cfg(all(test, shuttle))]
 mod interleavings;
 mod position;
+mod rest;
 mod state;
 mod status;
 mod stillness;
@@ -22,7 +23,9 @@ use jaka_proto::{ErrorCode, Refusal};
 use jaka_sync::layer::{ClientParts as _, Link, Reservation, Reserved, told};
 
 pub(crate) use self::guards::{GuardProgress, PacketObserver};
+pub use self::position::wait_for_rest;
 pub(crate) use self::position::{Answer, Position, QUERY_PERIOD, SETTLING};
+pub(crate) use self::rest::REST_SPEED;
 use self::state::not_acknowledged;
 pub(crate) use self::state::{ArmState, Sending};
 pub(crate) use self::status::unknown;

@@ -42,7 +42,7 @@ pub use jaka_sync;
 #[doc(no_inline)]
 pub use jaka_sync::*;
 
-pub use arm::RobotStop;
+pub use arm::{RobotStop, wait_for_rest};
 pub use cause::{
     Cause, CauseGroup, Evidence, Explanation, GuardTrip, LagBeyondReaction, NotGuarded, NotShown, Occurrence, Remedy,
     TripReason, Unchecked,

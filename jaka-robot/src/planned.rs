@@ -208,11 +208,12 @@ impl Moving<'_> {
 
     /// Waits until an arm that was stopped rests, and notes that in the end: true if it does.
     fn come_to_rest(&mut self, end: &mut End, stop: &Sent) -> bool {
-        let rest = if stop.accepted.is_ok() { self.arm.position.comes_to_rest(REST) } else { Ok(false) };
-        let is_at_rest = matches!(rest, Ok(true));
-        self.arm.position.note_rest(is_at_rest);
+        let rest = stop.accepted.is_ok().then(|| self.arm.position.wait_for_rest(REST));
+        let is_at_rest = matches!(rest, Some(Ok(_)));
         end.rest = if is_at_rest { Rest::Answers } else { Rest::NotSeen };
-        end.error = rest.err();
+        // An arm that still brakes is in order.
+        let failure = rest.and_then(Result::err).filter(|error| error.is_disconnected() || error.is_timeout());
+        end.error = failure;
         is_at_rest
     }
 

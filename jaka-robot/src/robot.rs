@@ -157,9 +157,10 @@ impl<S: MotionStatus> Robot<S> {
     ///
     /// # Errors
     /// [`ErrorKind::ModelMismatch`] if the controller computes other poses than the limits' model,
-    /// [`ErrorKind::InvalidOption`] if a preset of the limits requires collision detection and it is off, and as
-    /// [`Client::call`]; nothing has changed then.
+    /// [`ErrorKind::InvalidOption`] for an invalid value, and if a preset of the limits requires collision detection
+    /// and it is off, and as [`Client::call`]; nothing has changed then.
     pub fn configure(&mut self, config: &RobotConfig) -> Result<(), Error> {
+        config.check()?;
         if let Some(limits) = &config.limits {
             config.waived.check(&mut self.arm, limits.preset())?;
         }
@@ -168,6 +169,7 @@ impl<S: MotionStatus> Robot<S> {
             None => LimitChecks::default(),
         };
         (self.planned.grace, self.planned.silence) = (config.grace, config.silence);
+        self.arm.position.set_rest_speed(config.rest_speed);
         self.arm.state.set_needs_status(config.needs_status);
         Ok(())
     }
@@ -276,6 +278,19 @@ impl<S: MotionStatus> Robot<S> {
     #[doc(alias = "wait_complete")]
     pub fn wait(&mut self, timeout: Duration) -> End {
         self.moving().wait(timeout)
+    }
+
+    /// Waits until the arm is at rest, by the controller's answers: until no joint has turned faster than
+    /// [`RobotConfig::rest_speed`] over three of them (`get_joint_pos`, 4.49), 100 ms apart.
+    ///
+    /// An arm that rests stays at rest only if nothing moves it: a motion through another handle, a program of the
+    /// controller, a person. The wait takes as long as three answers at least.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotAtRest`] if the arm still moves after `timeout`, with the speed of its fastest joint; otherwise
+    /// as [`Client::call`], if the controller does not report the joints.
+    pub fn wait_for_rest(&mut self, timeout: Duration) -> Result<(), Error> {
+        self.arm.position.wait_for_rest(timeout).map(drop)
     }
 
     /// Occurrence that must be acknowledged before the arm moves again, if there is one.

@@ -88,6 +88,11 @@ options! {
     /// Without a lag, actual and commanded positions are equal, so that a test can compare positions in each cycle.
     lag: Duration = Duration::ZERO;
 
+    /// Sets the noise of the encoders, in degrees: answers and packets give each joint position with a random number
+    /// from minus this to this (default: 0, no noise). The numbers are the same in each run. Poses have no noise. The
+    /// noise of a real arm is unknown.
+    joint_noise: f64 = 0.0;
+
     /// Sets the reaction of the arm if set-points stop in servo mode while it moves (default: [`Underrun::Hold`]).
     underrun: Underrun = Underrun::Hold;
 

@@ -20,7 +20,7 @@ pub(crate) use self::reply::Delivery;
 pub use self::reply::Fault;
 pub use self::script_error::ScriptError;
 pub(crate) use self::script_error::quoted;
-use self::split_mix::SplitMix64;
+pub(crate) use self::split_mix::SplitMix64;
 pub use self::status::StatusFault;
 pub(crate) use self::status::{PacketWrites, Sent};
 pub(crate) use self::token_reader::{TokenReader, read_time};

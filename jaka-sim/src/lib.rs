@@ -21,6 +21,7 @@ mod link;
 mod link_selector;
 mod listener;
 mod motion;
+mod noise;
 mod programs;
 mod readers;
 mod replay;

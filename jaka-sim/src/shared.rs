@@ -116,7 +116,14 @@ impl Shared {
 
     /// Returns the status packet of the present state.
     pub(crate) fn packet(&self) -> Vec<u8> {
-        self.packet_of(&self.world().state).into_bytes()
+        let mut world = self.world();
+        if world.noise.is_none() {
+            return self.packet_of(&world.state).into_bytes();
+        }
+        let mut measured = world.state.clone();
+        measured.joint_position = world.noise.of(measured.joint_position);
+        measured.joint_commanded_position = world.noise.of(measured.joint_commanded_position);
+        self.packet_of(&measured).into_bytes()
     }
 
     /// Returns the status packet of a state.

@@ -19,6 +19,7 @@ use crate::clock::CYCLE;
 use crate::firmware::Writing;
 use crate::link::Links;
 use crate::motion::{ArmPath, Drives, Engine, Joints, Planned, Profile, Reference, Servo, ServoOptions, Zone};
+use crate::noise::Noise;
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
 use crate::trips::{self, Observed, Trip};
@@ -32,6 +33,7 @@ pub(crate) struct World {
     pub(crate) model: Model,
     pub(crate) engine: Engine,
     pub(crate) drives: Drives,
+    pub(crate) noise: Noise,
     trips: Vec<Trip>,
     underrun: Underrun,
     schedule: Schedule,
@@ -81,6 +83,7 @@ impl World {
         let state = State::initial(spec_index, &model)?;
         let mut world = Self {
             drives: Drives::new(options.lag, state.joint_position.0),
+            noise: Noise::new(options.joint_noise),
             trips: options.trips.clone(),
             underrun: options.underrun,
             schedule: Schedule::default(),

@@ -11,20 +11,21 @@ use std::time::{Duration, Instant};
 use jaka_clock::Clock;
 use jaka_proto::exchange::TypedReply;
 use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, GetTcpPos, GetTcpPosReply};
-use jaka_proto::messages::types::Pose;
+use jaka_proto::messages::types::{JointPosition, Pose};
 use jaka_proto::wire::Fields;
 use jaka_proto::{Command, CommandInfo};
 use jaka_sync::layer::{ClientParts as _, Handle, Link, Sent, unexpected};
 
+use super::rest::{APART, REST_SPEED, RestWindow, Seen, TimedJoints, Turn};
 use crate::error::Attach as _;
 use crate::place::{Place, Quantity};
-use crate::{Client, Error};
+use crate::{Client, Error, ErrorKind};
 
 /// Timeout for the news that settles the cause of an end: the next packet, or the end of the other connection.
 pub(crate) const SETTLING: Duration = Duration::from_millis(250);
 
 /// The shortest time between two queries.
-pub(crate) const QUERY_PERIOD: Duration = Duration::from_millis(100);
+pub(crate) const QUERY_PERIOD: Duration = APART;
 
 /// Queries of the position of the arm on one connection.
 #[derive(Debug)]
@@ -35,8 +36,10 @@ pub(crate) struct Position {
     reply_timeout: Duration,
     /// The query that has not been answered.
     query: Option<Query>,
-    /// Number of the changes by other handles when a wait saw the arm at rest by the controller's answers, if nothing
-    /// was sent since by this one.
+    /// Greatest speed of a joint of an arm at rest, in deg/s.
+    rest_speed: f64,
+    /// Number of the changes by other handles when the arm was seen at rest by the controller's answers, if nothing was
+    /// sent since by this one.
     rests: Option<u64>,
 }
 
@@ -54,12 +57,41 @@ pub(crate) struct Answer {
     pub(crate) place: Result<Place, Error>,
     /// Time at which the query was sent; the answer is later.
     pub(crate) asked: Instant,
+    /// Time at which the answer was there.
+    pub(crate) answered: Instant,
+}
+
+/// Waits until an arm is at rest, by the controller's answers, for a program that has only a client: see
+/// [`Robot::wait_for_rest`](crate::Robot::wait_for_rest). No joint may turn faster than 0.5 deg/s.
+///
+/// ```no_run
+/// use std::time::Duration;
+/// use jaka_robot::{Client, wait_for_rest};
+///
+/// let mut client = Client::connect("10.5.5.100")?;
+/// client.stop_handle().stop()?;
+/// wait_for_rest(&mut client, Duration::from_secs(2))?;
+/// # Ok::<(), jaka_robot::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`Robot::wait_for_rest`](crate::Robot::wait_for_rest).
+pub fn wait_for_rest(client: &mut Client, timeout: Duration) -> Result<(), Error> {
+    let mut position = Position::new(client);
+    let rest = position.wait_for_rest(timeout).map(drop);
+    position.forget();
+    rest
 }
 
 impl Position {
     pub(super) fn new(client: &Client) -> Self {
         let (link, handle) = (Arc::clone(client.link()), client.handle());
-        Self { link, handle, reply_timeout: client.reply_timeout(), query: None, rests: None }
+        Self { link, handle, reply_timeout: client.reply_timeout(), query: None, rest_speed: REST_SPEED, rests: None }
+    }
+
+    /// Sets the greatest speed of a joint of an arm at rest, in deg/s.
+    pub(crate) fn set_rest_speed(&mut self, rest_speed: f64) {
+        self.rest_speed = rest_speed;
     }
 
     /// Hands the queries over to another thread, which ends before this object is dropped. The outstanding query and
@@ -69,7 +101,7 @@ impl Position {
         Self { link, query: self.query.take(), rests: mem::take(&mut self.rests), ..*self }
     }
 
-    /// Notes whether the arm was seen at rest by answers. A command that is sent ends that.
+    /// Notes whether the arm was seen at rest by answers, however it was. A command that is sent ends that.
     pub(crate) fn note_rest(&mut self, is_at_rest: bool) {
         self.rests = is_at_rest.then(|| self.link.changes_but_of(self.handle));
     }
@@ -114,7 +146,7 @@ impl Position {
             self.query = Some(query);
             return None;
         };
-        Some(Answer { place, asked: query.at })
+        Some(Answer { place, asked: query.at, answered: self.clock().now() })
     }
 
     fn poll<R: Fields>(
@@ -133,22 +165,27 @@ impl Position {
         Ok(Some(place(reply)))
     }
 
-    /// The arm's position now; `None` if the controller does not report it. Waits no longer than for any reply.
-    pub(crate) fn place(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
+    /// Answer to a query that is sent now. Waits no longer than for any reply.
+    fn answer_now(&mut self, quantity: Quantity, timeout: Duration) -> Result<Answer, Error> {
         let (since, timeout) = (self.clock().stopwatch(), timeout.min(self.reply_timeout));
         loop {
             self.ask(quantity)?;
             let left = since.left_of(timeout);
             match self.answer(left) {
                 None if left.is_zero() => return Err(self.no_position(quantity, timeout)),
-                Some(Answer { place: Ok(place), asked }) if asked >= since.began && place.quantity() == quantity => {
-                    return Ok(Some(place));
-                }
-                Some(Answer { place: Err(error), asked }) if asked >= since.began => {
-                    return if error.is_disconnected() { Err(error) } else { Ok(None) };
-                }
+                Some(Answer { place: Ok(place), .. }) if place.quantity() != quantity => {}
+                Some(answer) if answer.asked >= since.began => return Ok(answer),
                 _ => {}
             }
+        }
+    }
+
+    /// The arm's position now; `None` if the controller does not report it.
+    pub(crate) fn place(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
+        match self.answer_now(quantity, timeout)?.place {
+            Ok(place) => Ok(Some(place)),
+            Err(error) if error.is_disconnected() => Err(error),
+            Err(_) => Ok(None),
         }
     }
 
@@ -158,47 +195,76 @@ impl Position {
         Ok(place.and_then(|place| if let Place::Pose(pose) = place { Some(pose) } else { None }))
     }
 
-    /// Place of the arm at rest, by two answers that agree, or by one if the arm was at rest before and nothing was
+    /// Place of the arm at rest, by three answers that show rest, or by one if the arm was seen at rest and nothing was
     /// sent since; `None` if the controller does not report it, or the arm moves.
     pub(crate) fn place_at_rest(&mut self, quantity: Quantity, timeout: Duration) -> Result<Option<Place>, Error> {
-        if self.rests == Some(self.link.changes_but_of(self.handle)) {
-            self.place(quantity, timeout)
-        } else {
-            self.place_still_for(quantity, QUERY_PERIOD, timeout)
+        let since = self.clock().stopwatch();
+        if self.rests != Some(self.link.changes_but_of(self.handle)) {
+            match (self.place_still_for(APART * 2, timeout)?, quantity) {
+                (Some(joints), Quantity::Joints) => return Ok(Some(Place::Joints(joints))),
+                (Some(_), Quantity::Pose) => {}
+                (None, _) => return Ok(None),
+            }
         }
+        self.place(quantity, since.left_of(timeout))
     }
 
-    /// Place of the arm, by two answers that agree with this time between them; `None` if the controller does not
+    /// Place of the arm, by three answers that show rest over at least this time; `None` if the controller does not
     /// report it, or the arm moves.
     pub(crate) fn place_still_for(
         &mut self,
-        quantity: Quantity,
-        apart: Duration,
+        time: Duration,
         timeout: Duration,
-    ) -> Result<Option<Place>, Error> {
-        let since = self.clock().stopwatch();
-        let left = || since.left_of(timeout);
-        let Some(first) = self.place(quantity, timeout)? else { return Ok(None) };
-        // A stop or a packet does not matter here: what is sent then asks for both.
-        self.clock().sleep(apart.min(left()));
-        // A query that is sent has time for its reply.
-        let second = self.place(quantity, left().max(QUERY_PERIOD))?;
-        Ok(second.filter(|second| first.is_still(second)))
+    ) -> Result<Option<JointPosition>, Error> {
+        match self.rest_within(Duration::ZERO, (time / 2).max(APART), timeout) {
+            Ok(joints) => Ok(Some(joints)),
+            Err(error) if error.is_disconnected() || error.is_timeout() => Err(error),
+            Err(_) => Ok(None),
+        }
     }
 
-    /// Waits until two answers say that the arm is at rest; false if they do not within `timeout`.
-    pub(crate) fn comes_to_rest(&mut self, timeout: Duration) -> Result<bool, Error> {
-        let since = self.clock().stopwatch();
+    /// Waits until three answers say that the arm is at rest, and returns the last one.
+    pub(crate) fn wait_for_rest(&mut self, timeout: Duration) -> Result<JointPosition, Error> {
+        self.rest_within(timeout, APART, timeout)
+    }
+
+    /// Waits until three answers, each this time after the one before, say that the arm is at rest: for at most `time`,
+    /// but always for the first three. Returns the last one.
+    fn rest_within(&mut self, time: Duration, apart: Duration, timeout: Duration) -> Result<JointPosition, Error> {
+        self.note_rest(false);
+        let (since, mut window) = (self.clock().stopwatch(), RestWindow::new(self.rest_speed));
         loop {
-            let (left, asked) = (since.left_of(timeout), self.clock().stopwatch());
-            if self.place_at_rest(Quantity::Joints, left.max(QUERY_PERIOD * 2))?.is_some() {
-                return Ok(true);
+            // A query that is sent has time for its reply.
+            let Answer { place, asked, answered } =
+                self.answer_now(Quantity::Joints, since.left_of(timeout).max(APART * 2))?;
+            let is_over = since.left_of(time) < apart;
+            match place {
+                Ok(Place::Joints(joints)) => match window.take(TimedJoints { joints, asked, answered }) {
+                    Seen::AtRest => {
+                        self.note_rest(true);
+                        return Ok(joints);
+                    }
+                    Seen::Turns(turn) if is_over => return Err(self.not_at_rest(turn)),
+                    Seen::Turns(_) | Seen::TooFew => {}
+                },
+                Err(error) if is_over || error.is_disconnected() => return Err(error),
+                // It may report them later.
+                Ok(Place::Pose(_)) | Err(_) => window.clear(),
             }
-            if left.is_zero() {
-                return Ok(false);
-            }
-            // A controller without a position says so at once.
-            self.clock().sleep(asked.left_of(QUERY_PERIOD).min(since.left_of(timeout)));
+            self.clock().sleep(apart);
+        }
+    }
+
+    fn not_at_rest(&self, turn: Turn) -> Error {
+        let Turn { joint, by_deg, within } = turn;
+        let (speed, rest_speed) = (turn.speed(), self.rest_speed);
+        self.link.attach(ErrorKind::NotAtRest { joint, by_deg, within, speed, rest_speed }.into())
+    }
+
+    /// Gives up the query that has not been answered.
+    fn forget(&mut self) {
+        if let Some(query) = self.query.take() {
+            self.link.forget(&query.question);
         }
     }
 

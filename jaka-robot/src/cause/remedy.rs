@@ -30,6 +30,9 @@ jaka_proto::worded! {
             "wait until the arm is at rest, and find the program that uses servo mode; `set_servo_mode` with off ends servo mode",
         /// Wait for the end of the motion, or stop it.
         WaitOrStop => "wait for the end of the motion, or stop it",
+        /// Stop the arm, or wait for the end of its motion, and then for its rest.
+        WaitForRest =>
+            "stop the arm or wait for the end of its motion, then wait for its rest (`wait_for_rest`) and try again",
         /// Look at the arm before it moves again.
         LookAtArm => "look at the arm, then call `acknowledge`",
         /// Select the frames of the motion.

@@ -130,6 +130,20 @@ jaka_proto::worded! {
             /// State that keeps it from doing so.
             explanation: Explanation,
         } => "the robot cannot do this now: {explanation}",
+        /// The controller's answers do not show the arm at rest: a joint turned faster over the last three than
+        /// [`RobotConfig::rest_speed`](crate::RobotConfig::rest_speed) allows. Nothing that moves the arm was sent.
+        NotAtRest {
+            /// The joint that turned fastest, 1 to 6.
+            joint: usize,
+            /// Difference between the greatest and the smallest of its three positions, in degrees.
+            by_deg: f64,
+            /// Least time in which it turned so far.
+            within: Duration,
+            /// Its speed by that, in deg/s.
+            speed: f64,
+            /// Greatest speed of an arm at rest, in deg/s.
+            rest_speed: f64,
+        } => (not_at_rest(*joint, *by_deg, *within, (*speed, *rest_speed))),
         /// A motion or a set-point was not sent, because it is beyond a limit of the robot.
         BeyondLimit {
             /// `cmdName` of the command.
@@ -310,6 +324,7 @@ impl ErrorKind {
             Self::GuardTripped { trip } => trip.cause(),
             Self::NotStopped { first, stopping } => Sequence::new(first, stopping).cause(),
             Self::SetPointLate { .. } => Cause::SetPointLate,
+            Self::NotAtRest { .. } => Cause::Moving,
             Self::SessionEnded { cause, .. } => *cause,
             Self::NotAcknowledged { occurrence } | Self::WaitBroken { occurrence, .. } => occurrence.cause,
             Self::Stopped { .. } => Cause::Stopped,
@@ -400,6 +415,7 @@ impl ErrorKind {
             Self::Connection(error) => error.remedy().into(),
             Self::PortInAddress { .. } => Remedy::LeaveOutPort,
             Self::NotChecked { reason, .. } => reason.remedy(),
+            Self::NotAtRest { .. } => Remedy::WaitForRest,
             Self::RealtimePriority { source, .. } if source.kind() == io::ErrorKind::PermissionDenied => {
                 Remedy::AllowRealtimePriority
             }
@@ -453,6 +469,7 @@ impl ErrorKind {
                 source: end.source(),
             },
             Self::NotReady { .. }
+            | Self::NotAtRest { .. }
             | Self::SetPointLate { .. }
             | Self::SessionEnded { .. }
             | Self::NotShown { .. }
@@ -557,6 +574,13 @@ fn named(commands: &[String]) -> String {
         return "nothing".to_owned();
     }
     commands.iter().map(|command| format!("`{command}`")).collect::<Vec<_>>().join(", ")
+}
+
+fn not_at_rest(joint: usize, by_deg: f64, within: Duration, (speed, rest_speed): (f64, f64)) -> String {
+    format!(
+        "the arm is moving: joint {joint} turned by {by_deg:.3} deg within {within:.1?} ({speed:.2} deg/s), and at rest it \
+         turns at most at {rest_speed} deg/s"
+    )
 }
 
 fn not_at_start(joint: usize, at_deg: f64, start_deg: f64) -> String {

@@ -159,7 +159,7 @@ impl Check<'_> {
             return Ok(());
         }
         let left = self.left();
-        if self.arm.position.place_still_for(Quantity::Joints, settling, left)?.is_none() {
+        if self.arm.position.place_still_for(settling, left)?.is_none() {
             return Err(self.not_checked(Unchecked::Start));
         }
         self.limited.is_unsettled = false;

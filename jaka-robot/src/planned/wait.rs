@@ -110,7 +110,7 @@ impl EndWait<'_> {
             }
         }
         match self.arm.position.answer(SLICE.min(left))? {
-            Answer { place: Ok(place), asked } => self.rule.answer(place, asked, now(self.arm)),
+            Answer { place: Ok(place), asked, answered } => self.rule.answer(place, asked, answered),
             Answer { place: Err(error), .. } => {
                 self.rule.no_answer(error);
                 None

@@ -4,9 +4,11 @@ use std::time::Duration;
 
 use jaka_motion::Limits;
 
-use crate::LimitPolicy;
+use crate::arm::REST_SPEED;
+use crate::error::OptionName;
 use crate::limits::Waived;
 use crate::planned::Grace;
+use crate::{Error, LimitPolicy};
 
 /// Options of a [`Robot`](crate::Robot), without the options of its connections ([`Config`](crate::Config)).
 ///
@@ -51,6 +53,7 @@ use crate::planned::Grace;
 pub struct RobotConfig {
     pub(super) grace: Grace,
     pub(super) silence: Duration,
+    pub(super) rest_speed: f64,
     pub(super) needs_status: bool,
     pub(super) limits: Option<Limits>,
     pub(super) policy: LimitPolicy,
@@ -62,6 +65,7 @@ impl Default for RobotConfig {
         Self {
             grace: Grace { time: Duration::from_millis(400), packets: 3 },
             silence: Duration::from_secs(2),
+            rest_speed: REST_SPEED,
             needs_status: true,
             limits: None,
             policy: LimitPolicy::default(),
@@ -91,6 +95,24 @@ impl RobotConfig {
     pub fn status_silence(mut self, time: Duration) -> Self {
         self.silence = time;
         self
+    }
+
+    /// Sets the greatest speed of a joint of an arm at rest, in deg/s. 0.5 deg/s by default.
+    ///
+    /// The arm is at rest if no joint turned faster over three answers of the controller (`get_joint_pos`, 4.49) that
+    /// are 100 ms apart. Noise of the encoders looks like a turn: of ±0.03 deg, like up to 0.3 deg/s. A robot waits for
+    /// rest after it has stopped the arm, and asks for it before it enters servo mode:
+    /// [`Robot::wait_for_rest`](crate::Robot::wait_for_rest).
+    pub fn rest_speed(mut self, deg_s: f64) -> Self {
+        self.rest_speed = deg_s;
+        self
+    }
+
+    /// Fails if an option does not take its value.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        let is_speed = self.rest_speed > 0.0 && self.rest_speed.is_finite();
+        let name = OptionName::new("RobotConfig", "rest_speed");
+        if is_speed { Ok(()) } else { Err(name.refuse(self.rest_speed, "a number above 0 deg/s")) }
     }
 
     /// Allows motions and set-points while the status is stale, missing or unreadable.

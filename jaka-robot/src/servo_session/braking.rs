@@ -38,6 +38,7 @@ impl Braking {
             | ErrorKind::ModelMismatch { .. }
             | ErrorKind::Departed { .. }
             | ErrorKind::NotAtStart { .. }
+            | ErrorKind::NotAtRest { .. }
             | ErrorKind::Trajectory { .. }
             | ErrorKind::Thread { .. }
             | ErrorKind::RealtimePriority { .. } => Self::Land,

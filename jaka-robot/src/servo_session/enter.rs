@@ -132,8 +132,6 @@ impl<'r> ServoSession<'r> {
 /// Waits until the arm is at rest, by the controller's answers. While it moves, controllers acknowledge servo mode and
 /// do not enter it.
 fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error> {
-    // Others may have moved the arm since a wait saw it at rest.
-    arm.position.note_rest(false);
     arm.link().check_open(SetServoMode::INFO.name)?;
     arm.check_acknowledged()?;
     if has_motions {
@@ -141,5 +139,5 @@ fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error
     }
     arm.known_status(timeout)?;
     // Packets may be old: the controller says whether it moves.
-    if arm.position.comes_to_rest(timeout)? { Ok(()) } else { Err(arm.not_ready(Explanation::Moving)) }
+    arm.position.wait_for_rest(timeout).map(drop)
 }

@@ -193,10 +193,14 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         // Kinematics and present position. Poses are those of the selected tool frame in the selected user frame, so
         // that the computations and `get_tcp_pos` agree.
         Request::GetJointPos(command) => {
-            reply(command, out, |reply| reply.joint_position = state.joint_commanded_position)
+            let joints = world.noise.of(state.joint_commanded_position);
+            reply(command, out, |reply| reply.joint_position = joints)
         }
         Request::GetTcpPos(command) => reply(command, out, |reply| reply.pose = state.tcp_commanded_pose),
-        Request::GetActualJointPos(command) => reply(command, out, |reply| reply.joint_position = state.joint_position),
+        Request::GetActualJointPos(command) => {
+            let joints = world.noise.of(state.joint_position);
+            reply(command, out, |reply| reply.joint_position = joints)
+        }
         Request::GetActualTcpPos(command) => reply(command, out, |reply| reply.pose = state.tcp_pose),
         Request::GetDhParam(command) => reply(command, out, |reply| *reply = state.dh_parameters),
         Request::KineForward(command) => reply(command, out, |reply| reply.pose = world.pose(command.joint_position.0)),

@@ -20,6 +20,13 @@ impl SplitMix64 {
         mixed ^ (mixed >> 31)
     }
 
+    /// Returns a random number from -1 to 1.
+    pub(crate) fn between_ones(&mut self) -> f64 {
+        // 32 bits are exact.
+        let bits = u32::try_from(self.next_u64() >> 32).unwrap_or(u32::MAX);
+        f64::from(bits) / f64::from(u32::MAX) * 2.0 - 1.0
+    }
+
     /// Returns true once in this many times on average; never for 0.
     pub(crate) fn one_in(&mut self, times: u64) -> bool {
         self.next_u64().checked_rem(times) == Some(0)
@@ -62,5 +69,8 @@ mod tests {
         assert!((0..100).all(|_| generator.one_in(1)));
         assert_eq!(generator.pick::<u8>(&[]), None);
         assert_eq!(generator.bytes(13).len(), 13);
+        let numbers: Vec<_> = (0..1000).map(|_| generator.between_ones()).collect();
+        assert!(numbers.iter().all(|number| number.abs() <= 1.0), "{numbers:?}");
+        assert!(numbers.iter().any(|number| *number < -0.95) && numbers.iter().any(|number| *number > 0.95));
     }
 }

@@ -36,7 +36,7 @@ fn a_wait_that_saw_the_arm_at_rest_is_not_enough_for_servo_mode() {
     let session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm rests");
     let asked = sent(&arm, "get_joint_pos") - before;
     drop(session);
-    assert_eq!(asked, 3, "two answers that agree, and where it begins");
+    assert_eq!(asked, 4, "three answers that show rest, and where it begins");
 }
 
 /// The question runs on the monitor's thread, which has read the packet that shows the stop.

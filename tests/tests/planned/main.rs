@@ -11,6 +11,7 @@ mod motion;
 mod old_status;
 mod races;
 mod random_motions;
+mod rest;
 mod robot;
 mod robot_faults;
 mod stopped_steps;

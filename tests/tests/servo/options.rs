@@ -101,6 +101,16 @@ fn an_option_of_a_trajectory_is_named() {
 }
 
 #[test]
+fn an_option_of_a_robot_is_named() {
+    let (arm, mut robot) = arm().with_robot();
+    for value in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let expected = format!("option `rest_speed` of `RobotConfig` is {value}, expected a number above 0 deg/s");
+        assert_eq!(text(robot.configure(&RobotConfig::new().rest_speed(value))), expected);
+    }
+    assert_not_moved(&arm);
+}
+
+#[test]
 fn an_option_of_a_guard_is_named() {
     let (arm, mut robot) = arm().with_robot();
     let limit = |change| ForceLimit::new(ForceComponent::Fz, change);
