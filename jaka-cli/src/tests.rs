@@ -7,6 +7,7 @@ mod document;
 mod follow;
 mod motions;
 mod probe;
+mod rest;
 mod status;
 
 use std::cell::RefCell;
@@ -103,6 +104,16 @@ pub(crate) fn interrupted<S: AsRef<str>>(
     words: impl IntoIterator<Item = S>,
     before: impl FnOnce() + Send,
 ) -> Run {
+    interrupted_and(arm, words, before, || {})
+}
+
+/// Runs a command on an arm, presses Ctrl-C after `before`, and then does `after`; both wait in the arm's time.
+pub(crate) fn interrupted_and<S: AsRef<str>>(
+    arm: &Arm,
+    words: impl IntoIterator<Item = S>,
+    before: impl FnOnce() + Send,
+    after: impl FnOnce() + Send,
+) -> Run {
     let handler = Handler::default();
     HANDLER.set(Arc::clone(&handler));
     let mut told = String::new();
@@ -112,6 +123,7 @@ pub(crate) fn interrupted<S: AsRef<str>>(
         handler();
         let [_, err] = PRINTED.take();
         told = String::from_utf8(err).expect("it prints UTF-8");
+        after();
     };
     let run = jaka_beside(arm, press, words);
     Run { err: told + &run.err, ..run }

@@ -13,7 +13,7 @@ pub(crate) struct Words<'c> {
     pub(crate) positionals: Vec<Positional<'c>>,
     /// Options, in their order.
     pub(crate) options: Vec<GivenOption<'c>>,
-    /// Indices of words with an option that the command does not have.
+    /// Indices of `--`, and of words with an option that the command does not have.
     pub(crate) unknown: Vec<usize>,
     /// Option with its value in the next word.
     pending: Option<&'c Arg>,
@@ -103,6 +103,7 @@ impl<'c> Words<'c> {
             }
         } else if text == "--" {
             self.is_escaped = true;
+            self.unknown.push(place);
         } else if self.add_options(&text).is_none() {
             self.unknown.push(place);
         }

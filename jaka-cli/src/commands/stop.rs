@@ -3,20 +3,20 @@
 mod line;
 
 use clap::Args;
-use jaka_sync::program::StopProgram;
 
 use crate::arm::acting::Act;
 use crate::failure::{Failure, chain};
-use crate::target::{RobotArgs, Target};
+use crate::target::RobotArgs;
 use crate::terminal::output;
 
 pub(crate) use self::line::StopLine;
 
-/// Stop the running motion or program; sent without a question
+/// Stop the running motion or program, and wait until the arm is at rest; sent without a question
 ///
 /// This is not an emergency stop: it travels over the network, and the controller must accept it. The command port
 /// serves one client: another program that is connected there may be disconnected. No source says whether it ends
-/// `movc`, a jog, or servo motion.
+/// `movc`, a jog, or servo motion. So the command asks for the joints after the stop, and says whether the arm is at
+/// rest; the exit code is 29 if the arm still moves after 6 s, or if its joints cannot be read.
 ///
 /// Options of the other commands for robots are ignored, with their values. Other unknown options and words are
 /// ignored only if --robot names the robot.
@@ -41,11 +41,10 @@ impl Stop {
 
     fn stop(&self) -> Result<(), Failure> {
         let (act, unrecorded) = Act::at_once(&self.robot)?;
-        let stopped = act.with(Target::client, "`stop_program`", |client| client.call(&StopProgram::new()));
+        let stopped = act.stop();
         if let Some(failure) = unrecorded {
             output::warning(&format!("the stop was not recorded: {}", chain(&failure)));
         }
-        stopped.map_err(|failure| Failure::NotStopped(Box::new(failure)))?;
-        output::line("the controller accepted the stop (`stop_program`)")
+        stopped
     }
 }
