@@ -2,11 +2,13 @@
 
 use std::fs;
 
-use jaka_sim::Controller;
+use jaka_sim::{Controller, Fault};
 use jaka_sync::motion::JointMove;
 use jaka_tests::Arm;
 
-use crate::program::{Run, address_of, command, jaka, run, scratch};
+#[cfg(unix)]
+use crate::common::{interrupt, started};
+use crate::program::{Run, address_of, command, jaka, result, run, scratch};
 
 /// An arm that turns its first joint by 90 deg, for 90 s.
 fn moving() -> Arm {
@@ -94,4 +96,20 @@ fn a_recording_that_cannot_begin_keeps_no_stop_back() {
         "{run:?}"
     );
     assert_eq!(fs::read_to_string(&file).expect("it is there"), "of the motion");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_of_a_stop_before_rest_says_that_the_arm_may_move() {
+    let arm = Arm::real_time().start();
+    let refusal = r#"{"errorCode":"2","errorMsg":"busy","cmdName":"get_joint_pos"}"#;
+    (0..2000).for_each(|_| arm.inject_for("get_joint_pos", Fault::Instead(refusal.into())));
+    let mut command = command(["stop".to_owned()].into_iter().chain(address_of(&arm)));
+    let (child, _out, line) = started(&mut command);
+    assert_eq!(line, "the controller accepted the stop (`stop_program`)\n", "before the arm is asked for its rest");
+    interrupt(&child);
+    let run = result(child);
+    assert_eq!(run.code, Some(29), "{run:?}");
+    let text = "error: interrupted; the arm was not seen at rest and may still move, use the emergency stop\n";
+    assert!(run.err.ends_with(text), "{run:?}");
 }

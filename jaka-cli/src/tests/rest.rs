@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use expect_test::expect;
-use jaka_sim::{Fault, Port};
+use jaka_sim::{Controller, Fault, Port};
 use jaka_sync::motion::JointMove;
 use jaka_tests::simulated::until;
 use jaka_tests::{Arm, LONG};
@@ -114,6 +114,20 @@ fn an_arm_that_goes_on_after_ctrl_c_is_not_said_to_rest() {
 }
 
 #[test]
+fn a_trajectory_that_its_time_has_ended_is_not_said_to_rest_by_packets_alone() {
+    let arm = arm();
+    let other = || {
+        until(arm.clock(), || arm.state().servo_mode);
+        until(arm.clock(), || !arm.state().servo_mode);
+        turn_on(&arm, LONG);
+    };
+    let run = jaka_beside(&arm, other, words(10.0, "--timeout 3"));
+    assert!(run.code == 27 && run.err.contains("and the arm was not seen at rest\n"), "{run:?}");
+    let run = jaka(&self::arm(), words(10.0, "--timeout 3"));
+    assert!(run.code == 27 && run.err.contains("and the arm is at rest\n"), "{run:?}");
+}
+
+#[test]
 fn a_stop_waits_for_rest_and_says_so() {
     for after in (0..12).map(|step| Duration::from_millis(30 + 110 * step)) {
         let (arm, mut other) = Arm::simulated().with_client();
@@ -166,15 +180,18 @@ fn a_stop_after_which_the_arm_cannot_be_observed_says_why() {
     assert!(run.code == 29 && !has_said_rest(&run), "{run:?}");
     assert!(run.err.contains("error: it is not known whether the arm is at rest: the controller refused"), "{run:?}");
 
-    let cut = arm();
-    let cut_it = || {
-        wait_for(&cut, "stop_program");
-        cut.clock().sleep(Duration::from_millis(150));
-        cut.link(Port::Command).cut();
-    };
-    let run = jaka_beside(&cut, cut_it, ["stop"]);
-    assert!(run.code == 29 && !has_said_rest(&run), "{run:?}");
-    assert!(run.err.starts_with("error: it is not known whether the arm is at rest: "), "{run:?}");
+    let silent: fn(&Controller) = |controller| controller.link(Port::Command).cut();
+    for (end, why) in [(silent, "no reply to `get_joint_pos`"), (Controller::disconnect, "the connection to ")] {
+        let arm = arm();
+        let other = || {
+            wait_for(&arm, "stop_program");
+            arm.clock().sleep(Duration::from_millis(150));
+            end(&arm);
+        };
+        let run = jaka_beside(&arm, other, ["stop"]);
+        assert!(run.code == 29 && !has_said_rest(&run), "{run:?}");
+        assert!(run.err.contains(&format!("error: it is not known whether the arm is at rest: {why}")), "{run:?}");
+    }
 }
 
 #[test]

@@ -99,6 +99,8 @@ fn word(option: &GivenOption<'_>) -> Option<OsString> {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
 
     const ROBOT: &str = "jaka stop --robot=10.0.0.1";
@@ -122,7 +124,7 @@ mod tests {
     ];
 
     /// Returns the words that give an option, with and without a value.
-    fn given(option: &Arg) -> Vec<String> {
+    fn words_of(option: &Arg) -> Vec<String> {
         let longs =
             option.get_long_and_visible_aliases().unwrap_or_default().into_iter().map(|long| format!("--{long}"));
         let names = longs.chain(option.get_short().map(|short| format!("-{short}")));
@@ -139,24 +141,41 @@ mod tests {
 
     #[test]
     fn each_option_of_each_sister_is_accepted() {
-        let mut tree = Cli::command().mut_subcommand("call", |_| all_of_call(builtin::spec()));
-        tree.build();
-        let stop = tree.find_subcommand("stop").expect("it is a command");
+        let tree = with_options_of_others(all_of_call(builtin::spec()));
+        let read = |line: String| {
+            let words: Vec<_> = line.split(' ').map(OsString::from).collect();
+            StopLine::new(&"jaka".into(), &words, &Words::of(&tree, &words))
+        };
+        let own = |line: &str| line.split(' ').map(OsString::from).collect::<Vec<_>>();
+        let mut sisters = Cli::command().mut_subcommand("call", |_| all_of_call(builtin::spec()));
+        sisters.build();
+        let stop = sisters.find_subcommand("stop").expect("it is a command");
         let is_own = |option: &&Arg| stop.get_arguments().any(|own| own.get_long() == option.get_long());
-        let mut count = 0;
-        for sister in SISTERS.map(|name| tree.find_subcommand(name).expect("it is a command")) {
+        let mut given = BTreeSet::new();
+        for sister in SISTERS.map(|name| sisters.find_subcommand(name).expect("it is a command")) {
             let fields = sister.get_subcommands().flat_map(Command::get_arguments);
-            let options: Vec<_> =
-                sister.get_arguments().chain(fields).filter(|option| !option.is_positional()).collect();
-            for words in options.into_iter().filter(|option| !is_own(option)).flat_map(given) {
-                assert_eq!(read(&format!("stop {words}")), ("jaka stop".to_owned(), String::new()), "{words}");
-                for line in [format!("stop {words} -r 10.0.0.1"), format!("stop --robot 10.0.0.1 {words}")] {
-                    assert_eq!(read(&line).0, ROBOT, "{words}");
-                }
-                count += 1;
+            let options = sister.get_arguments().chain(fields).filter(|option| !option.is_positional());
+            given.extend(options.filter(|option| !is_own(option)).flat_map(words_of));
+        }
+        for words in &given {
+            for (line, expected) in [
+                (format!("stop {words}"), "jaka stop"),
+                (format!("stop {words} -r 10.0.0.1"), ROBOT),
+                (format!("stop --robot 10.0.0.1 {words}"), ROBOT),
+            ] {
+                let StopLine { words: found, ignored } = read(line);
+                assert!(found == own(expected) && ignored.is_empty(), "{words}: {found:?}, {ignored:?}");
             }
         }
-        assert!(count > 500, "{count}");
+        assert!(given.len() > 500, "{}", given.len());
+    }
+
+    #[test]
+    fn fields_of_a_request_are_accepted_like_options() {
+        for words in ["--mode absolute --speed 10", "--joint-position -10,0,0,0,0,0", "--jog-mode stop --axis=-1"] {
+            assert_eq!(read(&format!("stop {words}")), ("jaka stop".to_owned(), String::new()), "{words}");
+            assert_eq!(read(&format!("stop -r 10.0.0.1 {words}")).0, ROBOT, "{words}");
+        }
     }
 
     #[test]
