@@ -110,6 +110,11 @@ impl UnderWay {
         self.lock().stage = stage;
     }
 
+    /// Whether Ctrl-C has stopped the arm.
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.lock().is_stopped
+    }
+
     /// Ends the requests, unless Ctrl-C has stopped the arm since the last call: true then. The arm may still brake, and
     /// a further Ctrl-C stops it again.
     pub(crate) fn finish(&self) -> bool {

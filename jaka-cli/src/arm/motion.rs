@@ -78,6 +78,7 @@ pub(crate) fn at_rest(
 ) -> Result<Ended, Failure> {
     if let Ok(end) = &mut ended
         && is_claimed(end)
+        && !under_way.is_stopped()
     {
         end.rest = seen(robot.wait_for_rest(rest::SOON).is_ok());
     }
