@@ -91,12 +91,12 @@ struct Cli {
 
 impl Cli {
     /// Reads a command line. That of `jaka stop` may have words that do not concern it.
-    fn read(line: Vec<OsString>) -> Result<Self, clap::Error> {
-        let error = match Self::try_parse_from(&line) {
+    fn read(line: &[OsString]) -> Result<Self, clap::Error> {
+        let error = match Self::try_parse_from(line) {
             Err(error) if !is_help(&error) => error,
             read => return read,
         };
-        let Some(stop) = StopLine::of(&line) else { return Err(error) };
+        let Some(stop) = StopLine::of(line) else { return Err(error) };
         let mut cli = Self::try_parse_from(stop.words)?;
         if let Command::Stop(command) = &mut cli.command {
             command.ignored = stop.ignored;
@@ -115,7 +115,7 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Failure> {
-    let cli = Cli::read(args_os().collect())?;
+    let cli = Cli::read(&args_os().collect::<Vec<_>>())?;
     cli.console.apply();
     let result = cli.command.run();
     let recorded = recordings::record::finish();

@@ -84,7 +84,8 @@ pub(crate) fn jaka_at<S: AsRef<str>>(
 pub(crate) fn without_robot<S: AsRef<str>>(words: impl IntoIterator<Item = S>) -> Run {
     let words = ["jaka".to_owned()].into_iter().chain(words.into_iter().map(|word| word.as_ref().to_owned()));
     PRINTED.take();
-    let ended = Cli::read(words.map(Into::into).collect()).map_err(Failure::from).and_then(|cli| cli.command.run());
+    let ended =
+        Cli::read(&words.map(Into::into).collect::<Vec<_>>()).map_err(Failure::from).and_then(|cli| cli.command.run());
     let code = ended.err().map_or(0, |failure| {
         match &failure {
             Failure::CommandLine(error) if is_help(error) => {

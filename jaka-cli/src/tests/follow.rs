@@ -148,12 +148,12 @@ fn an_interrupt_stops_the_arm_on_the_trajectory() {
     let run = interrupted(&arm, words(30.0, ""), || {
         assert!(arm.wait_for_requests(1000, LONG), "set-points come");
     });
-    expect![[r#"
+    expect![[r"
         note: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too
         error: the motion was stopped before its target (7.808 s of 60.000 s of the trajectory), and the arm is at rest
         hint: look at the arm before it moves again
         exit code 22
-    "#]]
+    "]]
     .assert_eq(&run.text());
     assert!(!arm.state().servo_mode && arm.state().at_rest);
     assert!(!arm.requests().iter().any(|request| request.contains("stop_program")));

@@ -114,7 +114,7 @@ mod tests {
     }
 
     fn is_wrong(line: &str) -> bool {
-        Cli::read(["jaka"].into_iter().chain(line.split(' ')).map(OsString::from).collect()).is_err()
+        Cli::read(&["jaka"].into_iter().chain(line.split(' ')).map(OsString::from).collect::<Vec<_>>()).is_err()
     }
 
     /// Commands whose options people leave on the line of a stop.
