@@ -7,4 +7,5 @@ pub(crate) mod interrupt;
 pub(crate) mod limits;
 pub(crate) mod motion;
 pub(crate) mod planned;
+pub(crate) mod rest;
 pub(crate) mod units;

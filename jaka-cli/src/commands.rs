@@ -34,6 +34,7 @@ use clap::Subcommand;
 use crate::failure::Failure;
 
 pub(crate) use self::call::{all as all_of_call, protocol_of};
+pub(crate) use self::stop::StopLine;
 
 /// Generates the enum of the commands, and its `run`.
 macro_rules! commands {

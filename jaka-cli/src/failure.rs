@@ -33,6 +33,13 @@ pub(crate) enum Failure {
     },
     /// The controller did not accept a stop, or its acceptance is unknown.
     NotStopped(Box<Failure>),
+    /// The arm was stopped, and was not seen at rest.
+    NotAtRest {
+        /// Failure of the stopped action, if there is one.
+        ended: Option<Box<Failure>>,
+        /// Failure of the wait for rest.
+        unrest: Error,
+    },
     /// A wait ended with its timeout.
     NotInTime(String),
     /// A motion was not sent, with the cause and a remedy.
@@ -107,6 +114,7 @@ impl Failure {
             Self::Refused { explanation: Some(explanation), .. } => verb(explanation.remedy()),
             Self::Robot(error) => verb(error.remedy()),
             Self::Local { hint, .. } => hint.map(Cow::Borrowed),
+            Self::NotAtRest { .. } => Some("use the emergency stop, unless you see the arm at rest".into()),
             _ => None,
         }
     }
@@ -187,6 +195,16 @@ pub(crate) fn not_taken(may_have_run: bool) -> &'static str {
     }
 }
 
+/// Returns the text for an arm that was not seen at rest.
+pub(crate) fn unrest(error: &Error) -> String {
+    match error.kind() {
+        ErrorKind::NotAtRest { joint, speed, .. } => {
+            format!("the arm still moves: joint {joint} turns at {speed:.2} deg/s")
+        }
+        kind => format!("it is not known whether the arm is at rest: {}", fact(kind, error)),
+    }
+}
+
 /// Returns the text of an error's kind, followed by the texts of its causes. The error's own text also has the
 /// library's remedy.
 pub(crate) fn fact(kind: &dyn fmt::Display, error: &dyn StdError) -> String {
@@ -229,6 +247,10 @@ impl fmt::Display for Failure {
             Self::NotStopped(failure) => {
                 let may_have_run = matches!(&**failure, Self::Robot(error) if error.may_have_run());
                 f.write_str(not_taken(may_have_run))
+            }
+            Self::NotAtRest { ended: None, unrest } => f.write_str(&self::unrest(unrest)),
+            Self::NotAtRest { ended: Some(ended), unrest } => {
+                write!(f, "{}; {}", chain(&**ended), self::unrest(unrest))
             }
             Self::Interrupted => f.write_str("interrupted"),
         }

@@ -17,12 +17,14 @@ mod text;
 mod words;
 
 use std::env::args_os;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::commands::Command;
+use crate::commands::{Command, StopLine};
 use crate::failure::Failure;
+use crate::failure::command_line::is_help;
 use crate::terminal::console::ConsoleArgs;
 
 /// Text of `jaka --help` after the list of commands.
@@ -61,15 +63,17 @@ Exit codes:
   20  the robot's state or a limit forbids it, or the state is not known;
       nothing that moves the arm was sent
   21  the arm is at rest, and it is not known whether it is where it was sent
-  22  the motion ended before its target, also by Ctrl-C
+  22  the motion ended before its target, also by Ctrl-C, after which the arm
+      was seen at rest
   23  a protective stop
   24  the emergency stop
   25  the arm has no power, or is not enabled
   26  the controller reports an error
   27  what was waited for did not come in time; a motion may go on
   28  no status packets that can be read any more; the arm may still move
-  29  Ctrl-C or `jaka stop`, and the controller has not taken the stop, or it
-      is not known whether it has; the arm may still move
+  29  Ctrl-C or `jaka stop`, and the arm may still move: the controller has
+      not taken the stop, or it is not known whether it has, or the arm still
+      moves after it, or cannot be observed
   30  `jaka follow`: set-points were too late or refused, or a joint did not
       follow; the message says whether the arm is at rest
   130  Ctrl-C before anything was sent that changes something, or before what
@@ -85,6 +89,22 @@ struct Cli {
     console: ConsoleArgs,
 }
 
+impl Cli {
+    /// Reads a command line. That of `jaka stop` may have words that do not concern it.
+    fn read(line: &[OsString]) -> Result<Self, clap::Error> {
+        let error = match Self::try_parse_from(line) {
+            Err(error) if !is_help(&error) => error,
+            read => return read,
+        };
+        let Some(stop) = StopLine::of(line) else { return Err(error) };
+        let mut cli = Self::try_parse_from(stop.words)?;
+        if let Command::Stop(command) = &mut cli.command {
+            command.ignored = stop.ignored;
+        }
+        Ok(cli)
+    }
+}
+
 fn main() -> ExitCode {
     let caught = arm::interrupt::begin();
     terminal::logging::begin();
@@ -95,7 +115,7 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Failure> {
-    let cli = Cli::try_parse()?;
+    let cli = Cli::read(&args_os().collect::<Vec<_>>())?;
     cli.console.apply();
     let result = cli.command.run();
     let recorded = recordings::record::finish();

@@ -130,9 +130,18 @@ impl RobotArgs {
     /// Finds the robot, or starts the simulated controller with these packs, and starts the recording. Does not connect
     /// yet.
     pub(crate) fn target(&self, packs: &[PathBuf]) -> Result<Target, Failure> {
+        let (target, unrecorded) = self.target_or_unrecorded(packs)?;
+        unrecorded.map_or(Ok(target), Err)
+    }
+
+    /// Finds the robot like [`Self::target`], also if the recording cannot begin; the failure of that comes with it.
+    pub(crate) fn target_or_unrecorded(&self, packs: &[PathBuf]) -> Result<(Target, Option<Failure>), Failure> {
         let target = self.address.target(packs)?;
-        let Some(path) = &self.record else { return Ok(target) };
-        Ok(target.recorded(record::begin(path)?, StatusSampling::All))
+        Ok(match self.record.as_deref().map(record::begin) {
+            None => (target, None),
+            Some(Ok(recorder)) => (target.recorded(recorder, StatusSampling::All), None),
+            Some(Err(failure)) => (target, Some(failure)),
+        })
     }
 }
 

@@ -9,6 +9,7 @@ mod follow;
 mod motions;
 mod numbers;
 mod probe;
+mod rest;
 mod status;
 
 use std::cell::RefCell;
@@ -19,7 +20,6 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
-use clap::Parser as _;
 use jaka_dynamic::Node;
 use jaka_sync::{Config, SimulatedClock};
 use jaka_tests::Arm;
@@ -86,7 +86,8 @@ pub(crate) fn jaka_at<S: AsRef<str>>(
 pub(crate) fn without_robot<S: AsRef<str>>(words: impl IntoIterator<Item = S>) -> Run {
     let words = ["jaka".to_owned()].into_iter().chain(words.into_iter().map(|word| word.as_ref().to_owned()));
     PRINTED.take();
-    let ended = Cli::try_parse_from(words).map_err(Failure::from).and_then(|cli| cli.command.run());
+    let ended =
+        Cli::read(&words.map(Into::into).collect::<Vec<_>>()).map_err(Failure::from).and_then(|cli| cli.command.run());
     let code = ended.err().map_or(0, |failure| {
         match &failure {
             Failure::CommandLine(error) if is_help(error) => {
@@ -106,6 +107,16 @@ pub(crate) fn interrupted<S: AsRef<str>>(
     words: impl IntoIterator<Item = S>,
     before: impl FnOnce() + Send,
 ) -> Run {
+    interrupted_and(arm, words, before, || {})
+}
+
+/// Runs a command on an arm, presses Ctrl-C after `before`, and then does `after`; both wait in the arm's time.
+pub(crate) fn interrupted_and<S: AsRef<str>>(
+    arm: &Arm,
+    words: impl IntoIterator<Item = S>,
+    before: impl FnOnce() + Send,
+    after: impl FnOnce() + Send,
+) -> Run {
     let handler = Handler::default();
     HANDLER.set(Arc::clone(&handler));
     let mut told = String::new();
@@ -115,6 +126,7 @@ pub(crate) fn interrupted<S: AsRef<str>>(
         handler();
         let [_, err] = PRINTED.take();
         told = String::from_utf8(err).expect("it prints UTF-8");
+        after();
     };
     let run = jaka_beside(arm, press, words);
     Run { err: told + &run.err, ..run }

@@ -13,6 +13,8 @@ pub(crate) struct Words<'c> {
     pub(crate) positionals: Vec<Positional<'c>>,
     /// Options, in their order.
     pub(crate) options: Vec<GivenOption<'c>>,
+    /// Indices of `--`, and of words with an option that the command does not have.
+    pub(crate) unknown: Vec<usize>,
     /// Option with its value in the next word.
     pending: Option<&'c Arg>,
     /// Whether `--` precedes: all later words have no name.
@@ -47,8 +49,8 @@ pub(crate) enum LastWord<'c, 'w> {
 impl<'c> Words<'c> {
     /// Reads words by the options of a command and of its subcommands.
     pub(crate) fn of(command: &'c Command, words: &'c [OsString]) -> Self {
-        let (positionals, options) = (Vec::new(), Vec::new());
-        let mut line = Self { command, positionals, options, pending: None, is_escaped: false };
+        let (positionals, options, unknown) = (Vec::new(), Vec::new(), Vec::new());
+        let mut line = Self { command, positionals, options, unknown, pending: None, is_escaped: false };
         for (place, word) in words.iter().enumerate() {
             line.add(place, word);
         }
@@ -101,26 +103,31 @@ impl<'c> Words<'c> {
             }
         } else if text == "--" {
             self.is_escaped = true;
-        } else {
-            self.add_options(&text);
+            self.unknown.push(place);
+        } else if self.add_options(&text).is_none() {
+            self.unknown.push(place);
         }
     }
 
-    /// Adds the options of a word, such as `--pack`, `--pack=a.toml`, `-y`, `-rcell1` or `-yr`.
-    fn add_options(&mut self, word: &str) {
+    /// Adds the options of a word, such as `--pack`, `--pack=a.toml`, `-y`, `-rcell1` or `-yr`. `None` if the command
+    /// does not have one of them; those before it are added.
+    fn add_options(&mut self, word: &str) -> Option<()> {
         if let Some(long) = word.strip_prefix("--") {
             let (name, value) = long.split_once('=').map_or((long, None), |(name, value)| (name, Some(value)));
-            return self.long(name).into_iter().for_each(|arg| self.add_option(arg, value));
+            self.add_option(self.long(name)?, value);
+            return Some(());
         }
         let mut shorts = word[1..].chars();
         while let Some(short) = shorts.next() {
-            let Some(arg) = self.command.get_arguments().find(|arg| arg.get_short() == Some(short)) else { return };
+            let arg = self.command.get_arguments().find(|arg| arg.get_short() == Some(short))?;
             if arg.get_action().takes_values() {
                 let value = Some(shorts.as_str()).filter(|value| !value.is_empty());
-                return self.add_option(arg, value.map(|value| value.strip_prefix('=').unwrap_or(value)));
+                self.add_option(arg, value.map(|value| value.strip_prefix('=').unwrap_or(value)));
+                return Some(());
             }
             self.add_option(arg, None);
         }
+        Some(())
     }
 
     fn add_option(&mut self, arg: &'c Arg, value: Option<&str>) {
@@ -142,6 +149,9 @@ impl<'c> Words<'c> {
 
 /// Whether the next word is the option's value; `-` is one, for standard input.
 fn takes(option: &Arg, word: &str) -> bool {
-    let is_number = || option.is_allow_negative_numbers_set() && word.parse::<f64>().is_ok();
+    let is_number = || {
+        let begins = |rest: &str| rest.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        option.is_allow_negative_numbers_set() && word.strip_prefix('-').is_some_and(begins)
+    };
     !word.starts_with('-') || word == "-" || option.is_allow_hyphen_values_set() || is_number()
 }

@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 
 #[cfg(unix)]
 use crate::common::{interrupt, wait_until};
-use crate::program::{Run, address_of, command, jaka, result, scratch};
+use crate::program::{Run, address_of, command, jaka, result, scratch, without_late_answer};
 
 const WAY: &str = "\
 time_s,joint_1_deg,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg
@@ -218,7 +218,8 @@ fn an_interrupt_stops_it_on_the_trajectory_and_says_so() {
     interrupt(&child);
     let run = result(child);
     if run.code == Some(22) {
-        let lines: Vec<_> = run.err.lines().collect();
+        let text = without_late_answer(&run);
+        let lines: Vec<_> = text.lines().collect();
         // An interrupt right after the first set-point may come before `jaka` has the run's handle. The same test in
         // simulated time is certain of its moment.
         let has_stopped = match lines[0] {

@@ -174,7 +174,8 @@ fn the_help_explains_exit_codes() {
           call         Send one command of the protocol, and print the reply
           up           Power and enable the arm, each step after the previous one is done
           down         Disable the arm and switch its power off, each step after the previous one is done
-          stop         Stop the running motion or program; sent without a question
+          stop         Stop the running motion or program, and wait until the arm is at rest; sent without a
+                       question
           clear        Leave the protective stop after a collision
           move         Move the arm to joint positions or to a pose, and wait until it is there; Ctrl-C
                        stops it
@@ -251,15 +252,17 @@ fn the_help_explains_exit_codes() {
           20  the robot's state or a limit forbids it, or the state is not known;
               nothing that moves the arm was sent
           21  the arm is at rest, and it is not known whether it is where it was sent
-          22  the motion ended before its target, also by Ctrl-C
+          22  the motion ended before its target, also by Ctrl-C, after which the arm
+              was seen at rest
           23  a protective stop
           24  the emergency stop
           25  the arm has no power, or is not enabled
           26  the controller reports an error
           27  what was waited for did not come in time; a motion may go on
           28  no status packets that can be read any more; the arm may still move
-          29  Ctrl-C or `jaka stop`, and the controller has not taken the stop, or it
-              is not known whether it has; the arm may still move
+          29  Ctrl-C or `jaka stop`, and the arm may still move: the controller has
+              not taken the stop, or it is not known whether it has, or the arm still
+              moves after it, or cannot be observed
           30  `jaka follow`: set-points were too late or refused, or a joint did not
               follow; the message says whether the arm is at rest
           130  Ctrl-C before anything was sent that changes something, or before what

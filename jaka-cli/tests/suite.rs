@@ -27,6 +27,7 @@ mod report;
 mod script;
 mod spec;
 mod status;
+mod stop;
 mod target;
 mod terminal;
 mod verbs;

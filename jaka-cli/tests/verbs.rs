@@ -280,9 +280,11 @@ fn an_interrupt_of_up_keeps_further_steps_back() {
     interrupt(&child);
     let run = result(child);
     let text = "note: interrupted: no further step is sent\n\
+                note: the arm is at rest\n\
                 error: interrupted; accepted before: power_on; not sent: enable_robot\n\
-                hint: look at the arm before it moves again\n";
-    assert_eq!((run.code, run.err.as_str()), (Some(4), text));
+                hint: look at the arm before it moves again\n\
+                exit code 4\n";
+    assert_eq!(without_late_answer(&run), text);
     assert_eq!(changes(&slow), [r#"{"cmdName":"power_on"}"#, r#"{"cmdName":"stop_program"}"#]);
 }
 
@@ -303,10 +305,12 @@ fn each_asks_but_stop() {
     .assert_eq(&run(&controller, "up").text());
     expect![[r"
         the controller accepted the stop (`stop_program`)
+        the arm is at rest
         exit code 0
     "]]
-    .assert_eq(&run(&controller, "stop").text());
-    assert_eq!(controller.requests(), [r#"{"cmdName":"stop_program"}"#]);
+    .assert_eq(&without_late_answer(&run(&controller, "stop")));
+    assert_eq!(controller.requests()[0], r#"{"cmdName":"stop_program"}"#);
+    assert_eq!(changes(&controller).len(), 1);
 }
 
 #[test]
@@ -429,12 +433,13 @@ fn an_interrupt_stops_a_move_and_a_jog() {
         interrupt(&child);
         expect![[r"
             note: interrupted: the controller accepted the stop (`stop_program`)
+            note: the arm is at rest
             error: the motion was stopped before its target
             hint: look at the arm before it moves again
             exit code 22
         "]]
         .assert_eq(&without_late_answer(&result(child)));
-        assert!(controller.state().joint_position.0[0] < 60.0);
+        assert!(controller.state().at_rest && controller.state().joint_position.0[0] < 60.0);
     }
 }
 

@@ -8,22 +8,25 @@ use jaka_dynamic::{Message, Translation};
 use jaka_motion::{Checker, Frames, Limits, Trajectory};
 use jaka_robot::kinematics::{GetJointPos, GetTcpPos};
 use jaka_robot::power::GetRobotState;
+use jaka_robot::program::StopProgram;
 use jaka_robot::proto::Command;
 use jaka_robot::servo::IsInServomove;
 use jaka_robot::types::JointPosition;
-use jaka_robot::{End, Error, FollowConfig, Motion, RobotConfig};
+use jaka_robot::{Error, FollowConfig, Motion, RobotConfig, wait_for_rest};
 use jaka_spec::{Effect, Role, Spec};
 
 use crate::arm::consent;
 use crate::arm::consent::Intent;
 use crate::arm::interrupt::{Stage, UnderWay};
 use crate::arm::motion;
-use crate::arm::motion::Form;
+use crate::arm::motion::{Ended, Form};
+use crate::arm::rest;
 use crate::builtin;
 use crate::failure::Failure;
 use crate::packets::packed_status::{PackedRobot, PackedStatus};
 use crate::target::packs::{Protocol, SpecArgs};
 use crate::target::{RobotArgs, Target};
+use crate::terminal::output;
 
 /// Options of a command with one action on a robot.
 #[derive(Debug, Args)]
@@ -114,9 +117,12 @@ pub(crate) fn intent<C: Command>(request: &C) -> Result<Intent<'static>, Failure
 }
 
 impl Act {
-    /// Begins an action that sends its request without a question.
-    pub(crate) fn at_once(robot: &RobotArgs) -> Result<Self, Failure> {
-        Self::begin(robot, &[])
+    /// Begins an action that sends its request without a question, also if it cannot be recorded; the failure of that
+    /// comes with it.
+    pub(crate) fn at_once(robot: &RobotArgs) -> Result<(Self, Option<Failure>), Failure> {
+        let under_way = UnderWay::begin();
+        let (target, unrecorded) = robot.target_or_unrecorded(&[])?;
+        Ok((Self { target, under_way }, unrecorded))
     }
 
     fn begin(robot: &RobotArgs, packs: &[PathBuf]) -> Result<Self, Failure> {
@@ -143,13 +149,32 @@ impl Act {
         done.map_err(|error| Failure::explained(builtin::of_status(), error))
     }
 
-    /// Runs an action with both ports, step by step. After Ctrl-C no further step is sent.
+    /// Stops the arm, says so once the controller has accepted that, and waits until the arm is at rest.
+    pub(crate) fn stop(&self) -> Result<(), Failure> {
+        let mut client = self.target.client().map_err(not_stopped)?;
+        self.under_way.set(Stage::Sent("`stop_program`".to_owned()));
+        let stopped = client.call(&StopProgram::new());
+        stopped.map_err(|error| not_stopped(Failure::explained(builtin::of_status(), error)))?;
+        self.under_way.set(Stage::Stopped);
+        // The reader of the output may be gone, which ends no wait.
+        let said = output::line("the controller accepted the stop (`stop_program`)");
+        let usual = client.reply_timeout();
+        let rest = rest::seek(usual, |timeout| wait_for_rest(&mut client, timeout));
+        self.under_way.set(Stage::Answered);
+        rest.map_err(|unrest| Failure::NotAtRest { ended: None, unrest })?;
+        said.and_then(|()| output::line(rest::SEEN))
+    }
+
+    /// Runs an action with both ports, step by step. After Ctrl-C no further step is sent, and the arm must come to
+    /// rest.
     pub(crate) fn with_steps<T>(&self, act: impl FnOnce(&mut PackedRobot) -> Result<T, Error>) -> Result<T, Failure> {
         let mut robot: PackedRobot = self.target.robot()?;
         self.under_way.set(Stage::Steps(robot.stop_handle()));
         let done = act(&mut robot);
-        self.under_way.set(Stage::Answered);
-        done.map_err(|error| Failure::explained(builtin::of_status(), error))
+        let done = done.map_err(|error| Failure::explained(builtin::of_status(), error));
+        let rest = rest::after_interrupt(&self.under_way, &mut robot);
+        rest::say(rest.as_ref());
+        rest::required(done, rest)
     }
 
     /// Returns the joints of the arm, from the status port alone; `None` if the packet does not have them.
@@ -163,7 +188,7 @@ impl Act {
         plan: &dyn Fn(&Checker) -> Result<Trajectory, Failure>,
         limits: Limits,
         config: &FollowConfig,
-    ) -> Result<End, Failure> {
+    ) -> Result<Ended, Failure> {
         let mut robot: PackedRobot = self.target.robot()?;
         let without_frames = Checker::new(limits.clone(), Frames::new());
         robot.configure(&RobotConfig::new().limits(limits))?;
@@ -174,8 +199,7 @@ impl Act {
             self.under_way.set(Stage::Following(run.handle(), stop));
             run.wait()
         });
-        self.under_way.set(Stage::Answered);
-        ended.map_err(|error| Failure::explained(builtin::of_status(), error))
+        motion::at_rest(&mut robot, ended, builtin::of_status(), &self.under_way)
     }
 
     /// Runs a motion, and prints its end.
@@ -191,9 +215,14 @@ impl Act {
             robot.configure(&RobotConfig::new().limits(limits))?;
         }
         let patience = self.patience(motion::PATIENCE);
-        let end = motion::end(&mut robot, |robot| robot.run(motion, patience), builtin::of_status(), &self.under_way)?;
-        motion::print(M::INFO.name, end, form)
+        let ended =
+            motion::end(&mut robot, |robot| robot.run(motion, patience), builtin::of_status(), &self.under_way)?;
+        motion::print(M::INFO.name, ended, form)
     }
+}
+
+fn not_stopped(failure: Failure) -> Failure {
+    Failure::NotStopped(Box::new(failure))
 }
 
 /// Returns the joint positions, from the status port alone; `None` if the packet does not have them.

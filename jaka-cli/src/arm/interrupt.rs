@@ -5,7 +5,7 @@ use std::io::stdout;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
-use std::{process, thread};
+use std::{mem, process, thread};
 
 use jaka_robot::{FollowHandle, RobotStop};
 
@@ -66,7 +66,14 @@ pub(crate) fn end_whole(code: u8) -> ! {
 /// Stage of the requests to the robot, for the handler of Ctrl-C. On Ctrl-C, the program prints the meaning of the
 /// stage, and stops a motion that it waits for.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct UnderWay(Arc<Mutex<Stage>>);
+pub(crate) struct UnderWay(Arc<Mutex<Progress>>);
+
+#[derive(Debug, Default)]
+struct Progress {
+    stage: Stage,
+    /// Whether Ctrl-C has stopped the arm: a stop was sent, or the arm is braked along a trajectory.
+    is_stopped: bool,
+}
 
 /// Stage of the requests to the robot.
 #[derive(Debug, Default)]
@@ -81,6 +88,8 @@ pub(crate) enum Stage {
     Moving(RobotStop),
     /// A trajectory is followed: Ctrl-C first stops it along its path, then as a motion.
     Following(FollowHandle, RobotStop),
+    /// The controller has accepted the stop of `jaka stop`, which waits until the arm is at rest.
+    Stopped,
     /// All requests have been answered, and the program ends.
     Answered,
     /// All requests have been answered, and the program waits for the next one.
@@ -98,13 +107,30 @@ impl UnderWay {
 
     /// Sets the stage. During a stop, waits until its outcome has been printed.
     pub(crate) fn set(&self, stage: Stage) {
-        *self.lock() = stage;
+        self.lock().stage = stage;
+    }
+
+    /// Whether Ctrl-C has stopped the arm.
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.lock().is_stopped
+    }
+
+    /// Ends the requests, unless Ctrl-C has stopped the arm since the last call: true then. The arm may still brake, and
+    /// a further Ctrl-C stops it again.
+    pub(crate) fn finish(&self) -> bool {
+        let mut progress = self.lock();
+        let is_stopped = mem::take(&mut progress.is_stopped);
+        if !is_stopped {
+            progress.stage = Stage::Answered;
+        }
+        is_stopped
     }
 
     fn interrupt(&self) {
         // Keeps the lock until the text is printed.
-        let mut stage = self.lock();
-        match &*stage {
+        let mut progress = self.lock();
+        let Progress { stage, is_stopped } = &mut *progress;
+        match stage {
             Stage::NothingSent => end_with(exit::INTERRUPTED, "interrupted; no command that changes anything was sent"),
             Stage::Sent(what) => end_with(
                 exit::MAY_HAVE_RUN,
@@ -112,9 +138,17 @@ impl UnderWay {
             ),
             Stage::Steps(stop) => {
                 stop_steps(stop);
+                *is_stopped = true;
                 *stage = Stage::Sent("the steps already sent".to_owned());
             }
-            Stage::Moving(stop) => stop_arm(stop),
+            Stage::Moving(stop) => {
+                stop_arm(stop);
+                *is_stopped = true;
+            }
+            Stage::Stopped => end_with(
+                exit::NOT_STOPPED,
+                "interrupted; the arm was not seen at rest and may still move, use the emergency stop",
+            ),
             Stage::Idle => end_with(exit::INTERRUPTED, "interrupted; no command is outstanding"),
             Stage::Following(handle, stop) => {
                 // If the trajectory has ended by itself, the command reports that.
@@ -123,12 +157,12 @@ impl UnderWay {
                         "interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too",
                     );
                 }
-                let stop = stop.clone();
-                *stage = Stage::Moving(stop);
+                *is_stopped = true;
+                *stage = Stage::Moving(stop.clone());
             }
             // The program is about to end, unless the reader of its output never continues.
             Stage::Answered => {
-                drop(stage);
+                drop(progress);
                 thread::sleep(PATIENCE);
                 end(exit::INTERRUPTED)
             }
@@ -136,7 +170,7 @@ impl UnderWay {
     }
 
     /// Locks the stage, also after a panic: each change completes before the lock is released.
-    fn lock(&self) -> MutexGuard<'_, Stage> {
+    fn lock(&self) -> MutexGuard<'_, Progress> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -49,8 +49,8 @@ pub(crate) const CONTROLLER_ERROR: u8 = 26;
 pub(crate) const DEADLINE: u8 = 27;
 /// Code for the loss of readable status packets; the arm may still move.
 pub(crate) const STATUS_LOST: u8 = 28;
-/// Code for a stop by Ctrl-C or `jaka stop` that the controller did not accept, or whose acceptance is unknown; the arm
-/// may still move.
+/// Code for a stop by Ctrl-C or `jaka stop` after which the arm may still move: the controller did not accept it, or its
+/// acceptance is unknown, or the arm was not seen at rest.
 pub(crate) const NOT_STOPPED: u8 = 29;
 
 /// Code for a trajectory not followed to its end, for another reason: the message names it, and whether the arm is at
@@ -81,7 +81,7 @@ pub(crate) fn code(failure: &Failure) -> u8 {
         Failure::Usage(_) | Failure::CommandLine(_) => USAGE,
         Failure::Robot(error) => exit_code(error),
         Failure::Refused { .. } => REFUSED,
-        Failure::NotStopped(_) => NOT_STOPPED,
+        Failure::NotStopped(_) | Failure::NotAtRest { .. } => NOT_STOPPED,
         Failure::NotInTime(_) => DEADLINE,
         Failure::NotSent(_) => NOT_MOVED,
         Failure::Departs(_) => DEPARTS,

@@ -138,7 +138,8 @@ fn an_interrupt_of_up_waits_for_the_step_that_went_out() {
             }
         });
         let text = format!(
-            "note: interrupted: no further step is sent\nnote: switching the power on\n{told}error: interrupted; {said}\n\
+            "note: interrupted: no further step is sent\nnote: switching the power on\n{told}note: the arm is at rest\n\
+             error: interrupted; {said}\n\
              hint: look at the arm before it moves again\n"
         );
         assert_eq!((run.code, run.err), (4, text));

@@ -77,13 +77,14 @@ fn an_interrupt_stops_the_arm() {
     interrupt(&child);
     expect![[r"
         note: interrupted: the controller accepted the stop (`stop_program`)
+        note: the arm is at rest
         error: the motion was stopped before its target
         hint: look at the arm before it moves again
         exit code 22
     "]]
     .assert_eq(&without_late_answer(&result(child)));
     assert!(controller.requests().iter().any(|request| request.contains("stop_program")));
-    assert!(controller.state().joint_position.0[0] < 60.0);
+    assert!(controller.state().at_rest && controller.state().joint_position.0[0] < 60.0);
 }
 
 #[cfg(unix)]

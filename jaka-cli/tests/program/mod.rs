@@ -73,9 +73,12 @@ pub(crate) fn wait_for_motion(controller: &Controller) {
     common::wait_until("a motion comes", || controller.requests().iter().any(|request| request.contains("joint_move")));
 }
 
-/// Text of an interrupted run without the note that a stop is not answered yet, which a slow machine causes.
+/// Text of a run that has stopped the arm, without the lines that a slow machine causes: no reply to the stop yet, or no
+/// rest yet.
 pub(crate) fn without_late_answer(run: &Run) -> String {
-    let is_late = |line: &&str| line.starts_with("note: interrupted: no reply to the stop yet");
+    let late =
+        ["note: interrupted: no reply to the stop yet", "warning: it is not known whether", "warning: the arm still"];
+    let is_late = |line: &&str| late.iter().any(|late| line.starts_with(late));
     run.text().split_inclusive('\n').filter(|line| !is_late(line)).collect()
 }
 

@@ -43,8 +43,8 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
     if let Connection::Robot(robot) = &mut connection {
         let motion = wait::must_be_motion(protocol, request, &outgoing.text)?;
         let patience = target.patience(motion::PATIENCE);
-        let end = motion::end(robot, |robot| robot.run(&motion, patience), &protocol.spec, &under_way)?;
-        return motion::print(&request.name, end, Form::of(options.json.is_some()));
+        let ended = motion::end(robot, |robot| robot.run(&motion, patience), &protocol.spec, &under_way)?;
+        return motion::print(&request.name, ended, Form::of(options.json.is_some()));
     }
     let client = connection.client();
     match send(client, (request, &outgoing.text), &target, &under_way) {

@@ -90,9 +90,9 @@ impl LineSession<'_> {
         match (&mut self.connection, motion) {
             (Connection::Robot(robot), Some(motion)) => {
                 let patience = self.target.patience(motion::PATIENCE);
-                let end = motion::end(robot, |robot| robot.run(&motion, patience), spec, &self.under_way)?;
-                answer["end"] = output::as_json(serde_json::to_value(&end))?;
-                Ok(end.reached()?)
+                let ended = motion::end(robot, |robot| robot.run(&motion, patience), spec, &self.under_way)?;
+                answer["end"] = output::as_json(serde_json::to_value(&ended.end))?;
+                ended.reached()
             }
             (connection, _) => {
                 let sent =

@@ -6,6 +6,7 @@ use jaka_motion::{Checker, Sample, Trajectory};
 use jaka_robot::{Cause, End, FollowLag};
 use serde::Serialize;
 
+use crate::arm::motion::Ended;
 use crate::failure::Failure;
 use crate::terminal::output;
 use crate::text::number::{fixed, milliseconds};
@@ -40,7 +41,7 @@ pub(super) struct Checked<'t> {
 
 /// End of a trajectory, for programs.
 #[derive(Serialize)]
-struct Ended<'e> {
+struct OnlyEnd<'e> {
     end: &'e End,
 }
 
@@ -98,13 +99,14 @@ pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker)
 }
 
 /// Prints the end; as JSON for any end.
-pub(super) fn print(end: End, as_json: bool) -> Result<(), Failure> {
+pub(super) fn print(ended: Ended, as_json: bool) -> Result<(), Failure> {
+    let end = &ended.end;
     if as_json {
-        output::json_line(&Ended { end: &end })?;
+        output::json_line(&OnlyEnd { end })?;
     } else if end.cause() == Cause::Reached {
-        output::line(&completed(&end))?;
+        output::line(&completed(end))?;
     }
-    Ok(end.reached()?)
+    ended.reached()
 }
 
 fn completed(end: &End) -> String {
