@@ -115,7 +115,8 @@ fn generated_set_points_allocate_nothing() {
 fn following_a_trajectory_allocates_nothing_and_takes_no_memory_of_its_own() {
     let (trajectory, checker) = (follower::trajectory(), follower::checker());
     let count = measure(|| {
-        let mut follower = Follower::new(trajectory.clone(), &checker, kinematics::PERIOD).expect("a period of servo mode");
+        let mut follower =
+            Follower::new(trajectory.clone(), &checker, kinematics::PERIOD).expect("a period of servo mode");
         for number in 0..2000 {
             follower.set_scale(follower::scale(number));
             follower.advance();
@@ -141,7 +142,8 @@ fn trajectories_hold_no_more_than_their_pieces() {
             let mut follower = None;
             let held = measure(|| {
                 let trajectory = points.trajectory(&checker).expect("within the limits");
-                follower = Some(Follower::new(trajectory, &checker, kinematics::PERIOD).expect("a period of servo mode"));
+                follower =
+                    Some(Follower::new(trajectory, &checker, kinematics::PERIOD).expect("a period of servo mode"));
             });
             // The limits take some kilobytes, with their regions.
             let each = (held.bytes_current - 4096) / i64::from(count);

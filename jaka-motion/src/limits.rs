@@ -152,8 +152,8 @@ jaka_proto::worded! {
     }
 }
 
-/// Range of speeds, accelerations and jerks, in deg or mm and seconds. A slower joint takes hours for a turn; the largest
-/// number is far beyond any arm, and its powers can be computed with.
+/// Range of speeds, accelerations and jerks, in deg or mm and seconds. A slower joint takes hours for a turn; the
+/// largest number is far beyond any arm, and its powers can be computed with.
 pub(crate) const RATES: RangeInclusive<f64> = 1e-3..=1e9;
 /// Default time in which a joint reaches its acceleration, in a motion and in a stop, in seconds. A choice of this
 /// library: no source has jerks of these arms.

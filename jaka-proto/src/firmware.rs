@@ -9,7 +9,8 @@ use crate::text::Visible;
 ///
 /// Versions are ordered by their numbers: 1.5.14 is after 1.5.9, and 1.6 is just before 1.6.0. Read from the text of
 /// `get_version`, such as `1.6.5_01_X86` or `V1.7.0`, or of the vendor's release notes, such as `1_7_2_28`: a `V` may
-/// come before the numbers, and words such as `_01_X86` or `-rc2` after them are passed over. Any other text is an error.
+/// come before the numbers, and words such as `_01_X86` or `-rc2` after them are passed over. Any other text is an
+/// error.
 ///
 /// ```
 /// use jaka_proto::FirmwareVersion;

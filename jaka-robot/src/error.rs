@@ -315,6 +315,15 @@ impl OptionName {
         let Self { of, option } = self;
         ErrorKind::InvalidOption { option, of, value: value.to_string(), expected: expected.into() }.into()
     }
+
+    /// Checks an angle, a speed or an acceleration: with less than a thousandth a turn takes hours.
+    pub(crate) fn check_at_least(self, given: f64, unit: &str) -> Result<(), Error> {
+        const LEAST: f64 = 1e-3;
+        if given.is_finite() && given >= LEAST {
+            return Ok(());
+        }
+        Err(self.refuse(given, format!("a number of at least {LEAST} {unit}")))
+    }
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ use jaka_clock::Clock;
 use jaka_proto::messages::servo::SetServoMoveFilter;
 
 pub(crate) use self::departure::MOST_DEG;
-pub(crate) use self::generated::{SetPoints, Supervision, beyond_limit, check_at_least, check_shows_joints, no_limits};
+pub(crate) use self::generated::{SetPoints, Supervision, beyond_limit, check_shows_joints, no_limits};
 pub(crate) use self::lag::LagFit;
 use self::pace::Pace;
 use self::realtime::RealtimePriority;

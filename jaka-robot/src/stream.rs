@@ -15,7 +15,7 @@ pub use self::handle::StreamHandle;
 use crate::ErrorKind;
 use crate::error::OptionName;
 use crate::guard::SetPointGuard;
-use crate::servo_session::{LedArm, LentArm, MOST_DEG, check_at_least};
+use crate::servo_session::{LedArm, LentArm, MOST_DEG};
 use crate::servo_thread::ServoThread;
 use crate::{End, Error, Guard, ServoConfig};
 
@@ -103,7 +103,7 @@ impl StreamConfig {
     }
 
     fn check(&self) -> Result<(), Error> {
-        check_at_least(Self::option("max_departure"), self.max_departure_deg, "deg")
+        Self::option("max_departure").check_at_least(self.max_departure_deg, "deg")
     }
 }
 

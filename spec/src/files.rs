@@ -4,14 +4,14 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
-/// Most bytes of a text that [`read_text`] reads: 64 MiB, which is far beyond any pack, configuration or list of points.
+/// Most bytes of a text that [`read_text`] reads: 64 MiB, far beyond any pack, configuration or list of points.
 pub const LONGEST_TEXT: u64 = 1 << 26;
 
 /// Opens a regular file for reading.
 ///
 /// # Errors
-/// As [`File::open`]; [`io::ErrorKind::InvalidInput`] for anything else than a regular file. It would block for ever on a
-/// FIFO that nobody writes, and a device may have no end.
+/// As [`File::open`]; [`io::ErrorKind::InvalidInput`] for anything else than a regular file. A FIFO that nobody writes
+/// would block for ever, and a device may have no end.
 pub fn open_regular(path: impl AsRef<Path>) -> io::Result<File> {
     let is_regular = |metadata: io::Result<fs::Metadata>| metadata.map(|metadata| metadata.is_file());
     if is_regular(fs::metadata(&path))? {

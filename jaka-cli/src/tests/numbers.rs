@@ -7,7 +7,7 @@ use super::{Run, scratch, without_robot};
 const ODD: [&str; 13] =
     ["nan", "inf", "-inf", "1e999", "1e308", "-1e308", "1e154", "1e-154", "1e-300", "5e-324", "0", "-1", "1"];
 
-/// Those of them that are a place or a distance.
+/// Numbers among them that are a place or a distance.
 const SMALL: [&str; 6] = ["1e-154", "1e-300", "5e-324", "0", "-1", "1"];
 
 /// Writes points without times to a file: the arm turns, and then moves on.

@@ -59,7 +59,9 @@ type NumericOption = (&'static str, Takes, fn(f64) -> Result<(), String>);
 /// expected.
 fn check(options: &[NumericOption]) {
     for (name, takes, set) in options {
-        ODD.into_iter().for_each(|odd| check_one(name, *takes, odd, set(odd)));
+        for odd in ODD {
+            check_one(name, *takes, odd, set(odd));
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::error::OptionName;
 use crate::place::Quantity;
-use crate::servo_session::{MOST_DEG, check_at_least};
+use crate::servo_session::MOST_DEG;
 use crate::{Error, Guard, ServoConfig};
 
 /// Options of a run that follows a trajectory: see [`Robot::start_follow`](crate::Robot::start_follow).
@@ -128,8 +128,8 @@ impl FollowConfig {
 
     pub(super) fn check(&self) -> Result<(), Error> {
         check_scale(Self::option("speed_scale"), self.scale)?;
-        check_at_least(Self::option("max_departure"), self.max_departure_deg, "deg")?;
-        self.approach_deg_s.map_or(Ok(()), |speed| check_at_least(Self::option("approach"), speed, "deg/s"))
+        Self::option("max_departure").check_at_least(self.max_departure_deg, "deg")?;
+        self.approach_deg_s.map_or(Ok(()), |speed| Self::option("approach").check_at_least(speed, "deg/s"))
     }
 }
 

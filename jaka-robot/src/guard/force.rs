@@ -99,8 +99,8 @@ const LONGEST_REACTION: Duration = Duration::from_secs(60);
 
 impl ForceLimit {
     /// A change of a component by more than this, in units of the sensor, taken to be N or Nm. Other values than a
-    /// number above 0, of a million at most, are an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) at the
-    /// use of the limit.
+    /// number above 0, of a million at most, are an [`ErrorKind::InvalidOption`](crate::ErrorKind::InvalidOption) at
+    /// the use of the limit.
     pub fn new(component: ForceComponent, change: f64) -> Self {
         Self { component, change, overtravel_mm: 1.0, reaction: Duration::from_millis(20), braking: None }
     }

@@ -15,7 +15,6 @@ use super::pace::Pace;
 use super::set_point::SetPoint;
 use crate::arm::Arm;
 use crate::cause::shown_joints;
-use crate::error::OptionName;
 use crate::guard::{MeasuredLag, SetPointGuard};
 use crate::{Error, ErrorKind, FollowLag, NotShown, Snapshot, Unchecked};
 
@@ -195,15 +194,4 @@ pub(crate) fn beyond_limit(beyond: Beyond) -> Error {
 
 pub(crate) fn no_limits() -> Error {
     ErrorKind::NotChecked { command: ServoJ::INFO.name.to_owned(), reason: Unchecked::NoLimits }.into()
-}
-
-/// The least angle or speed that is asked for: at a slower one a turn takes hours.
-const LEAST: f64 = 1e-3;
-
-/// Checks what a configuration says of an angle or a speed.
-pub(crate) fn check_at_least(option: OptionName, given: f64, unit: &str) -> Result<(), Error> {
-    if given.is_finite() && given >= LEAST {
-        return Ok(());
-    }
-    Err(option.refuse(given, format!("a number of at least {LEAST} {unit}")))
 }

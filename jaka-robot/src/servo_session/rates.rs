@@ -6,7 +6,6 @@ use jaka_proto::Command;
 use jaka_proto::check::InvalidArgument;
 use jaka_proto::messages::servo::{ServoJ, ServoP};
 
-use super::check_at_least;
 use super::set_point::length;
 use super::set_point::{SetPoint, SetPointStep};
 use crate::Error;
@@ -127,7 +126,7 @@ impl Rates {
         ];
         rates
             .into_iter()
-            .try_for_each(|(name, rate, unit)| check_at_least(OptionName::new("SessionConfig", name), rate, unit))
+            .try_for_each(|(name, rate, unit)| OptionName::new("SessionConfig", name).check_at_least(rate, unit))
     }
 
     /// Number of periods in which the arm is braked from this step: the n-th set-point of them goes on by

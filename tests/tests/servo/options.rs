@@ -281,7 +281,7 @@ fn odd_times_do_no_harm() {
         for servo in
             [servo().busy_wait(odd), servo().max_unanswered(odd), servo().rest_timeout(odd), servo().enter_timeout(odd)]
         {
-            let _ = robot.enter_servo_mode(&SessionConfig::new().servo(servo.clone())).and_then(ServoSession::land);
+            let _ = robot.enter_servo_mode(SessionConfig::new().servo(servo.clone())).and_then(ServoSession::land);
             let _ = robot.stream(&StreamConfig::new().servo(servo)).and_then(Stream::land);
         }
         let _ = robot.stream(&StreamConfig::new().max_gap(odd)).and_then(Stream::land);

@@ -161,7 +161,7 @@ fn what_cannot_be_is_refused_and_named() {
     refused(two.clone().corner_mm(-1.0), "corner_mm: -1 is not 0, or finite and at least 0.001");
     refused(two.clone().corner_deg(f64::NAN), "corner_deg: NaN is not 0, or finite and at least 0.001");
     refused(two.clone().tcp_speed(0.0), "tcp_speed: 0 is not at least 0.001");
-    refused(two.jerks([0.0; 6]), "jerks: 0 is not at least 0.001");
+    refused(two.jerks([0.0; 6]), "jerks: 0 is not from 0.001 to 1e9");
     let beyond = [0.0, 60.0, -181.2, 190.0, -90.0, 0.0];
     refused(through(&[start, start, beyond.into()]), "way-point 3: joint 3 would be at -181.2 deg; limit -175 (Zu 5)");
     let far = Pose { x: 1500.0, ..pose };
