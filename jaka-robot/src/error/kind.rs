@@ -85,8 +85,8 @@ jaka_proto::worded! {
             /// Cause of the end of the connection.
             cause: Arc<Disconnect>,
         } => (commands_lost(address, what, cause)),
-        /// A command was not sent, because a query before it failed, or showed that the arm moves. Nothing that moves the
-        /// arm was sent, nor a step that concerns its power.
+        /// A command was not sent, because a query before it failed, or showed that the arm moves. Nothing that moves
+        /// the arm was sent, nor the step of its power that the command is.
         NotSent {
             /// `cmdName` of the command.
             command: String,

@@ -1,5 +1,5 @@
-//! Errors of the queries that a call makes before it moves the arm, or before a step of its power: nothing was sent then,
-//! by the bytes that the controller has received, and the error says so.
+//! Errors of the queries that a call makes before it moves the arm, or before a step of its power. Nothing was sent
+//! then, by the bytes that the controller has received, and the error says so.
 
 use std::time::Duration;
 
