@@ -74,6 +74,7 @@ pub(crate) const RESERVED_METHODS: &[&str] = &[
     "wait",
     "wait_for_analog",
     "wait_for_input",
+    "wait_for_rest",
 ];
 /// Names of Rust's own crates and types, which the module of a pack would hide from the user's code.
 pub(crate) const RESERVED_MODULES: &[&str] = &[

@@ -51,7 +51,7 @@ impl<'r> ServoSession<'r> {
         rates.check_themselves()?;
         let priority = config.take_priority()?;
         let not_sent = |error: Error| error.before(SetServoMode::INFO.name);
-        rest(arm, has_motions, config.enter_timeout).map_err(not_sent)?;
+        rest(arm, has_motions, config.enter_timeout)?;
         let reserved = Some(arm.reserve(MEANWHILE));
         let (frame_changes, under_way) = (arm.link().frame_changes(), arm.under_way());
         let servo_mode = arm.queries().call(&IsInServomove::new()).map_err(|error| not_sent(error.into()))?;
@@ -147,5 +147,6 @@ fn rest(arm: &mut Arm, has_motions: bool, timeout: Duration) -> Result<(), Error
     }
     arm.known_status(timeout)?;
     // Packets may be old: the controller says whether it moves.
-    arm.position.wait_for_rest(timeout).map(drop)
+    arm.position.wait_for_rest(timeout).map_err(|error| error.before(SetServoMode::INFO.name))?;
+    Ok(())
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_robot::{
-    Cause, Client, Disconnect, Error, ErrorKind, Evidence, Explanation, Monitor, Occurrence, Robot, ServoConfig,
+    Cause, Client, Disconnect, Error, ErrorKind, Evidence, Explanation, Monitor, Occurrence, Remedy, Robot, ServoConfig,
 };
 use jaka_sim::{Fault, StatusFault};
 use jaka_tests::{Arm, LONG};
@@ -65,12 +65,20 @@ fn of_the_state() -> Vec<String> {
     let soft_limit = ErrorKind::NotReady { explanation: Explanation::SoftLimit };
     let not_entered = ErrorKind::NotReady { explanation: Explanation::ServoModeNotEntered };
     let says = Some("powered, not enabled".to_owned());
+    let within = Duration::from_millis(200);
+    let moves = ErrorKind::NotAtRest { joint: 1, by_deg: 9.4, within, speed: 47.0, rest_speed: 0.5 };
+    let command = "disable_robot".to_owned();
+    let moving = ErrorKind::NotSent { command, because: moves.into(), remedy: Remedy::WaitForRest };
+    let (silent, mut asked) = super::robot(true, true);
+    silent.inject_for("get_joint_pos", Fault::Drop);
     vec![
         denied,
         refusal(stopped.power_up(LONG)),
         kind(jaka_sync::ErrorKind::StateTimeout { after: LONG, packets: 1998, says }),
         kind(soft_limit),
         kind(not_entered),
+        kind(moving),
+        refusal(asked.run(&turn(5.0, 5.0), LONG)),
     ]
 }
 
