@@ -32,7 +32,7 @@ pub(crate) struct RestWindow {
     answers: Vec<TimedJoints>,
 }
 
-/// What the last three answers show.
+/// Judgement of the last three answers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Seen {
     /// There are fewer than three.

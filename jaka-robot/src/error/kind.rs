@@ -88,8 +88,8 @@ jaka_proto::worded! {
             /// Cause of the end of the connection.
             cause: Arc<Disconnect>,
         } => (commands_lost(address, what, cause)),
-        /// A command was not sent, because a query before it failed, or showed that the arm moves. Nothing that moves the
-        /// arm was sent, nor a step that concerns its power.
+        /// A command was not sent, because a query before it failed, or showed that the arm moves. Nothing that moves
+        /// the arm was sent, nor the step of its power that the command is.
         NotSent {
             /// `cmdName` of the command.
             command: String,
@@ -97,7 +97,7 @@ jaka_proto::worded! {
             because: Error,
             /// Remedy for it.
             remedy: Remedy,
-        } => (format!("`{command}` was not sent: {}", because.kind())),
+        } => (not_sent(command, because)),
         /// A motion was not sent, because it could not be stopped within the overtravel of a limit of force, or that is
         /// not known.
         NotGuarded {
@@ -609,6 +609,24 @@ fn named(commands: &[String]) -> String {
         return "nothing".to_owned();
     }
     commands.iter().map(|command| format!("`{command}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// The command and the failure of the query. Texts of the connection say of the query that it may have run.
+fn not_sent(command: &str, because: &Error) -> String {
+    use jaka_sync::ErrorKind as Failed;
+    let why = match because.connection().map(jaka_sync::Error::kind) {
+        Some(Failed::Timeout { command: query, after }) => format!("no reply to `{query}` within {after:?}"),
+        Some(Failed::ReplyLost { command: query }) => format!("the reply to `{query}` was lost"),
+        Some(Failed::UnexpectedReply { command: query, .. }) => format!("the reply to `{query}` does not fit the spec"),
+        Some(Failed::Disconnected { address, command: Some(query), sent: true, cause }) => {
+            format!("the connection to {address} broke during `{query}`{}", seat_hint(cause))
+        }
+        Some(Failed::Disconnected { address, command: Some(_), sent: false, cause }) => {
+            format!("the connection to {address} is broken{}", seat_hint(cause))
+        }
+        _ => because.kind().to_string(),
+    };
+    format!("`{command}` was not sent: {why}")
 }
 
 fn not_at_rest(joint: usize, by_deg: f64, within: Duration, (speed, rest_speed): (f64, f64)) -> String {

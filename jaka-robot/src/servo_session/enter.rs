@@ -44,7 +44,7 @@ impl<'r> ServoSession<'r> {
         rates.check_themselves()?;
         let priority = config.take_priority()?;
         let not_sent = |error: Error| error.before(SetServoMode::INFO.name);
-        rest(arm, (has_motions, settling), config.enter_timeout).map_err(not_sent)?;
+        rest(arm, (has_motions, settling), config.enter_timeout)?;
         let owner = arm.link().new_owner();
         let lead = Some(arm.lead(owner).map_err(not_sent)?);
         let (frame_changes, under_way, since_packet) =
@@ -150,7 +150,8 @@ fn rest(arm: &mut Arm, (has_motions, settling): (bool, Duration), timeout: Durat
     }
     arm.known_status(timeout)?;
     // Packets may be old: the controller says whether it moves.
-    arm.position.wait_for_rest(timeout)?;
-    let stays = settling.is_zero() || arm.position.place_still_for(settling, timeout)?.is_some();
+    let not_sent = |error: Error| error.before(SetServoMode::INFO.name);
+    arm.position.wait_for_rest(timeout).map_err(not_sent)?;
+    let stays = settling.is_zero() || arm.position.place_still_for(settling, timeout).map_err(not_sent)?.is_some();
     if stays { Ok(()) } else { Err(arm.not_ready(Explanation::Moving)) }
 }

@@ -33,12 +33,13 @@ use crate::{Cause, Error, ErrorKind, Occurrence, Report, Rest, Snapshot};
 ///
 /// # Entering
 /// [`Robot::enter_servo_mode`](crate::Robot::enter_servo_mode) waits until the arm is
-/// [at rest](crate::Robot::wait_for_rest). It fails with [`ErrorKind::NotAtRest`] if the arm still moves after
-/// [`ServoConfig::enter_timeout`]; with [`ErrorKind::NotReady`] if the program has not waited for the end of a motion,
-/// if servo mode is on already, and if the controller acknowledges servo mode and does not enter it; with [`ErrorKind::NotAcknowledged`] after a stop, with
-/// [`ErrorKind::StatusUnknown`] if the status is stale, missing or unreadable, with [`ErrorKind::InvalidOption`] for an
-/// invalid value of the configuration, and as [`Client::call`](crate::Client::call). After a failure, the session
-/// leaves servo mode again; [`ErrorKind::ServoModeNotLeft`] if that is not confirmed.
+/// [at rest](crate::Robot::wait_for_rest). It fails with [`ErrorKind::NotSent`] if the arm still moves after
+/// [`ServoConfig::enter_timeout`], or a query fails; with [`ErrorKind::NotReady`] if the program has not waited for the
+/// end of a motion, if servo mode is on already, and if the controller acknowledges servo mode and does not enter it;
+/// with [`ErrorKind::NotAcknowledged`] after a stop, with [`ErrorKind::StatusUnknown`] if the status is stale, missing
+/// or unreadable, with [`ErrorKind::InvalidOption`] for an invalid value of the configuration, and as
+/// [`Client::call`](crate::Client::call). After a failure, the session leaves servo mode again;
+/// [`ErrorKind::ServoModeNotLeft`] if that is not confirmed.
 ///
 /// # Set-points
 /// Each set-point is compared with the previous ones, by its nominal period, as the controller does (4.15): a joint may

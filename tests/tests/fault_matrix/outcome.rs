@@ -59,6 +59,7 @@ impl Outcome {
                 Failure::Disconnected { cause, .. } => Self::Broken(Cause::of(cause)),
                 other => panic!("no fault may lead to {other:?}"),
             },
+            ErrorKind::NotSent { because, .. } => Self::of(because),
             ErrorKind::StatusUnknown { .. } => Self::StatusUnknown,
             ErrorKind::ServoModeNotLeft { leaving, .. } if leaving.is_disconnected() => Self::of(leaving),
             ErrorKind::ServoModeNotLeft { .. } => Self::NotLeft,

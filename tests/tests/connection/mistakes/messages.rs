@@ -65,12 +65,12 @@ fn of_the_state() -> Vec<String> {
     let soft_limit = ErrorKind::NotReady { explanation: Explanation::SoftLimit };
     let not_entered = ErrorKind::NotReady { explanation: Explanation::ServoModeNotEntered };
     let says = Some("powered, not enabled".to_owned());
-    let not_sent = |command: &str, because: Error, remedy| {
-        kind(ErrorKind::NotSent { command: command.to_owned(), because, remedy })
-    };
     let within = Duration::from_millis(200);
-    let moving = ErrorKind::NotAtRest { joint: 1, by_deg: 9.4, within, speed: 47.0, rest_speed: 0.5 };
-    let unanswered = jaka_sync::ErrorKind::Timeout { command: "get_joint_pos".to_owned(), after: SHORT };
+    let moves = ErrorKind::NotAtRest { joint: 1, by_deg: 9.4, within, speed: 47.0, rest_speed: 0.5 };
+    let command = "disable_robot".to_owned();
+    let moving = ErrorKind::NotSent { command, because: moves.into(), remedy: Remedy::WaitForRest };
+    let (silent, mut asked) = super::robot(true, true);
+    silent.inject_for("get_joint_pos", Fault::Drop);
     vec![
         denied,
         refusal(stopped.power_up(LONG)),
@@ -80,8 +80,8 @@ fn of_the_state() -> Vec<String> {
         kind(ErrorKind::NotAcknowledged { occurrence: Cause::DragMode.into() }),
         kind(ErrorKind::NotReady { explanation: Explanation::DragMode }),
         kind(not_entered),
-        not_sent("disable_robot", moving.into(), Remedy::WaitForRest),
-        not_sent("joint_move", unanswered.into(), Remedy::Connection(jaka_sync::Remedy::TryAgain)),
+        kind(moving),
+        refusal(asked.run(&turn(5.0, 5.0), LONG)),
     ]
 }
 
