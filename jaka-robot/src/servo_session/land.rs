@@ -168,8 +168,8 @@ impl ServoSession<'_> {
         self.course.paused();
     }
 
-    /// Holds the arm until packets show it at rest at the last set-point, or, where packets do not come, for a while. An
-    /// arm that a hand or an obstacle keeps from its set-points is not held.
+    /// Holds the arm until packets show it at rest at the last set-point, or, where packets do not come, for a while.
+    /// Does not hold an arm that a hand or an obstacle keeps from its set-points.
     fn hold(&mut self, refused: u64) -> Result<(), Error> {
         // A stop of the program's own can go out now.
         self.arm.state.expect_set_point(None);
@@ -214,7 +214,7 @@ impl ServoSession<'_> {
                     sent => sent.map(drop),
                 }
             }
-            // After a stop of the program's own nothing goes out; packets may still show rest. The caller sees drag mode.
+            // After a stop of the program's own nothing goes out; packets may still show rest. Drag mode ends it all.
             (None | Some(Occurrence { cause: Cause::Stopped | Cause::DragMode, .. }), _) => {
                 self.pace.wait();
                 Ok(())
