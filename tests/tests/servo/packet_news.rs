@@ -178,7 +178,7 @@ fn steps(arm: &Arm) -> Vec<f64> {
     set_points.map(step).collect()
 }
 
-/// What the arm was told after the news.
+/// Requests that move or stop the arm after the news.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Reaction {
     /// Set-points that brake it, and then hold it.
