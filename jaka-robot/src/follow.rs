@@ -35,9 +35,9 @@ use crate::{End, Error};
 /// - After a [`RobotStop`](crate::RobotStop), a [`Guard`](crate::Guard) that trips, a status that is unknown or does
 ///   not show the joints for half a second, a state of the robot that ends set-points
 ///   ([`ErrorKind::RobotState`](crate::ErrorKind::RobotState), drag mode), a set-point that the controller refuses, or
-///   joints that do not follow, the run brakes the arm along the curve first. It brakes straight on in joint space instead if the curve takes more
-///   than twice as long and half a second more, because the trajectory leaves no acceleration for it, or longer than a
-///   [`RobotStop`](crate::RobotStop) waits:
+///   joints that do not follow, the run brakes the arm along the curve first. It brakes straight on in joint space
+///   instead if the curve takes more than twice as long and half a second more, because the trajectory leaves no
+///   acceleration for it, or longer than a [`RobotStop`](crate::RobotStop) waits:
 ///   [`TrajectoryReport::has_left_curve`](crate::TrajectoryReport::has_left_curve).
 /// - Joints that do not follow are not held at the last set-point. In drag mode the arm is braked only while its joints
 ///   follow, and not held either.

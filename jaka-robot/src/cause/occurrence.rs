@@ -172,7 +172,7 @@ pub(crate) enum Consequence {
     Latched,
     /// They have ended, no other is sent before somebody has acknowledged that, and the arm may still move.
     LatchedMayMove,
-    /// They are not waited for any more, the arm is stopped, and no motion is sent before somebody has acknowledged that.
+    /// As [`Stops`](Self::Stops), and no motion is sent before somebody has acknowledged that.
     LatchedStops,
     /// They are not waited for any more, and the arm may still move.
     MayMove,

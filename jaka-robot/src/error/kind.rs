@@ -247,9 +247,9 @@ jaka_proto::worded! {
             /// Occurrence that has not been acknowledged.
             occurrence: Occurrence,
         } => "not sent: {occurrence}",
-        /// Status packets show a state of the robot that ends set-points: no power, an arm that is not enabled, an error
-        /// of the controller or a soft limit. The servo session, the stream or the trajectory has landed, as far as the
-        /// controller followed set-points.
+        /// Status packets show a state of the robot that ends set-points: no power, an arm that is not enabled, an
+        /// error of the controller or a soft limit. The servo session, the stream or the trajectory has landed, as far
+        /// as the controller followed set-points.
         RobotState {
             /// State, with the evidence for it.
             occurrence: Occurrence,

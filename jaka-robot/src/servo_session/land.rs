@@ -179,8 +179,8 @@ impl ServoSession<'_> {
         self.course.paused();
     }
 
-    /// Until packets show the arm at rest at the last set-point, or, where packets do not come, for a while. An arm that
-    /// a hand or an obstacle keeps from its set-points is not held there.
+    /// Holds the arm until packets show it at rest at the last set-point, or, where packets do not come, for a while.
+    /// Does not hold an arm that a hand or an obstacle keeps from its set-points.
     fn hold(&mut self, refused: u64) -> Result<(), Error> {
         // A stop of the program's own can go out now.
         self.expect_set_point(false);
@@ -225,7 +225,7 @@ impl ServoSession<'_> {
                     sent => sent.map(drop),
                 }
             }
-            // After a stop of the program's own nothing goes out; packets may still show rest. Drag mode ends the holding.
+            // After a stop of the program's own nothing goes out; packets may still show rest. Drag mode ends it all.
             (None | Some(Occurrence { cause: Cause::Stopped | Cause::DragMode, .. }), _) => {
                 self.pace.wait();
                 Ok(())

@@ -40,6 +40,7 @@ const NAMED: &[(&str, &str, &str)] = &[
     ("jaka-robot/src/servo_session/rates.rs", "servo_j servo_p", "the command of the set-points, for an error"),
     ("jaka-robot/src/servo_session/session.rs", "servo_j", "the set-points that it sends"),
     ("jaka-sync/src/client.rs", "get_version", "the query that it sends"),
+    ("jaka-sync/src/motion_status.rs", "drag_status", "a key of the status packet"),
     ("jaka-sync/src/stop.rs", "stop_program", "the built-in stop, the only one that stop handles send"),
 ];
 

@@ -90,7 +90,7 @@ impl Event {
             Self::EmergencyStop | Self::ProtectiveStop => ((Reaction::Ends, 0), Some((Reaction::Nothing, 0))),
             // The next set-point is refused, and the one after it brakes.
             Self::PowerCut | Self::DisabledByAnother => ((Reaction::Brakes, 2), Some((Reaction::Nothing, 0))),
-            Self::ControllerError => ((Reaction::Brakes, 2), Some((Reaction::Stops, 0))),
+            Self::ControllerError => ((Reaction::Brakes, 1), Some((Reaction::Stops, 0))),
             Self::RefusedSetPoint => ((Reaction::Brakes, 1), None),
             // Packets are stale after 500 ms, which are 62.5 cycles.
             Self::StatusSilent => ((Reaction::Brakes, 64), Some((Reaction::Stops, 63))),

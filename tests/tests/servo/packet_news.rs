@@ -178,7 +178,7 @@ fn steps(arm: &Arm) -> Vec<f64> {
     set_points.map(step).collect()
 }
 
-/// What the arm was told after the news.
+/// Requests that move or stop the arm after the news.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Reaction {
     /// Set-points that brake it, and then hold it.
@@ -265,14 +265,15 @@ fn a_state_in_packets_has_one_outcome_in_each_way_of_moving_whichever_news_is_fi
             if first == First::Refusal && !way.has_set_points() {
                 continue;
             }
-            let expected = match (shown, way) {
-                (Shown::EmergencyStop, _) if first == First::Refusal => None,
-                (Shown::EmergencyStop, _) => Some(Reaction::Nothing),
-                (Shown::DragMode, Way::Run | Way::GuardedRun) => Some(Reaction::Stops),
+            let expected = match (way, shown) {
                 // Nobody would judge the guard while the arm may move.
-                (Shown::Error | Shown::SoftLimit, Way::GuardedRun) => Some(Reaction::Stops),
-                (_, Way::Run | Way::GuardedRun) => Some(Reaction::Nothing),
-                (Shown::DragMode, _) => Some(Reaction::Brakes),
+                (Way::GuardedRun, Shown::Error | Shown::SoftLimit) | (Way::Run | Way::GuardedRun, Shown::DragMode) => {
+                    Some(Reaction::Stops)
+                }
+                // Braking begins with the refusal.
+                (_, Shown::EmergencyStop) if first == First::Refusal => None,
+                (Way::Run | Way::GuardedRun, _) | (_, Shown::EmergencyStop) => Some(Reaction::Nothing),
+                (_, Shown::DragMode) => Some(Reaction::Brakes),
                 _ => Some(Reaction::Lands),
             };
             for _ in 0..runs() {
@@ -362,8 +363,7 @@ fn in_drag_mode_nothing_begins_before_it_has_ended_and_is_acknowledged() {
     let sent = names(&arm).len();
     let refusals = |robot: &mut Robot| {
         let entered = robot.enter_servo_mode(ServoConfig::new()).map(drop);
-        [robot.start(&motion), robot.run(&motion.clone().guard(guard()), LONG).map(drop), entered]
-            .map(Result::unwrap_err)
+        [robot.start(&motion), robot.run(&motion.guard(guard()), LONG).map(drop), entered].map(Result::unwrap_err)
     };
     for error in refusals(&mut robot) {
         assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
