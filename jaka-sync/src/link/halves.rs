@@ -6,7 +6,7 @@ use std::panic::{self, AssertUnwindSafe};
 use std::time::Duration;
 
 use jaka_clock::Socket;
-use jaka_proto::exchange::{Delivery, Exchange, OutOfSync, RequestId, Waiter};
+use jaka_proto::exchange::{Delivery, Exchange, OutOfSync, Received, RequestId, Waiter};
 use jaka_proto::framing::{self, Framer};
 use jaka_proto::wire::{DecodeError, Writer};
 use jaka_proto::{Envelope, read_envelope};
@@ -148,7 +148,7 @@ fn receive_one(exchange: &mut Exchange, text: &str, waiter: &mut Waiter<'_>) -> 
     }
 }
 
-/// Attributes a reply that was read, and logs one that came late.
+/// Attributes a reply that was read, and logs one that came late or belongs to none yet.
 fn deliver(
     exchange: &mut Exchange,
     text: &str,
@@ -157,11 +157,12 @@ fn deliver(
 ) -> Result<Option<Panic>, Disconnect> {
     let envelope = envelope.map_err(Disconnect::NotJson)?;
     let received = exchange.receive(text, envelope, waiter).map_err(Disconnect::OutOfSync)?;
-    if received.delivery != Delivery::Discarded {
-        return Ok(None);
-    }
-    let command = &received.command;
-    let log = || log::debug!(target: WIRE, "late reply to `{command}` dropped");
+    let line = match received {
+        Some(Received { delivery: Delivery::Waiter | Delivery::Pending | Delivery::Counted, .. }) => return Ok(None),
+        Some(Received { command, delivery: Delivery::Discarded, .. }) => format!("late reply to `{command}` dropped"),
+        None => "a refusal names no command, and may be that of one of several".to_owned(),
+    };
+    let log = || log::debug!(target: WIRE, "{line}");
     Ok(panic::catch_unwind(AssertUnwindSafe(log)).err())
 }
 

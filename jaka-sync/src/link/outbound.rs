@@ -40,7 +40,8 @@ pub(crate) struct Dispatched {
 
 impl Link {
     /// Sends up to this many commands in one write, and enters them into the exchange. `write` writes the request with
-    /// an index. Of long requests, and beside a reservation, only some are sent at once.
+    /// an index. Of long requests, beside a reservation, and of a command that the controller may lack, only some are
+    /// sent at once.
     ///
     /// The thread whose turn it is asks the gate and enters the commands under the lock: the exchange has the order of
     /// the wire, and nothing is sent after a stop that the gate knows of. Between the gate and the write no code of the
@@ -106,8 +107,10 @@ impl Link {
         let now = outgoing.is_posted.then(|| self.clock.now());
         for (_, request) in &mut outbound.requests {
             *request = match (now, &outgoing.name) {
-                (Some(now), Cow::Borrowed(command)) => state.exchange.post(outgoing.owner, command, now),
-                (_, name) => state.exchange.send(outgoing.owner, name.clone()),
+                (Some(now), Cow::Borrowed(command)) => {
+                    state.exchange.post(outgoing.owner, outgoing.support(), command, now)
+                }
+                (_, name) => state.exchange.send(outgoing.owner, outgoing.support(), name.clone()),
             };
             state.frame_changes += u64::from(outgoing.changes_frames());
             state.stops += u64::from(outgoing.right != Right::Usual);
@@ -177,8 +180,8 @@ impl Link {
         Err(self.disconnected(outgoing.command, Transmission::Sent, self.break_off(state, cause)))
     }
 
-    /// Waits until no other thread sends, no stop waits for the turn, and there is room beside a reservation. Fails for
-    /// a command that a reservation keeps back.
+    /// Waits until no other thread sends, no stop waits for the turn, and there is [room](LinkState::room). Fails for a
+    /// command that a reservation keeps back.
     pub(super) fn take_turn<'l>(
         &'l self,
         outgoing: &Outgoing<'_>,

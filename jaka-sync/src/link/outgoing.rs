@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_clock::{Clock, Stopwatch};
 use jaka_proto::check::{NotSent, Rules};
-use jaka_proto::exchange::Owner;
+use jaka_proto::exchange::{Owner, Support};
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion, Role};
 
@@ -179,6 +179,11 @@ impl<'o> Outgoing<'o> {
     /// True for a stop of any handle.
     pub(super) fn is_stop(&self) -> bool {
         self.right == Right::Stop || self.info.is_some_and(|info| info.role == Some(Role::Stop))
+    }
+
+    /// Whether the controller may lack the command.
+    pub(super) fn support(&self) -> Support {
+        if self.is_stop() { Support::Everywhere } else { Support::of(self.info) }
     }
 
     /// True if the command changes nothing. An unknown command may change anything.

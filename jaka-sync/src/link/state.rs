@@ -85,14 +85,16 @@ impl LinkState {
         }
     }
 
-    /// Number of these commands that may be entered now: a stop always, and beside a reservation, of all owners other
-    /// than the reserving ones together, at most [`MOST_BESIDE`].
+    /// Number of these commands that may be entered now: a stop always; otherwise one at a time of those that the
+    /// controller may lack, and beside a reservation, of all owners other than the reserving ones together, at most
+    /// [`MOST_BESIDE`].
     pub(super) fn room(&self, outgoing: &Outgoing<'_>) -> usize {
+        let room = self.exchange.room(outgoing.support(), &outgoing.name);
         let leads = |owner| self.reservations.iter().any(|(_, by, of, _)| [by.owner(), *of].contains(&owner));
         if self.reservations.is_empty() || outgoing.is_stop() || leads(outgoing.owner) {
-            return usize::MAX;
+            return room;
         }
-        MOST_BESIDE.saturating_sub(self.exchange.outstanding_of(|owner| !leads(owner)))
+        room.min(MOST_BESIDE.saturating_sub(self.exchange.outstanding_of(|owner| !leads(owner))))
     }
 
     /// Counts an entered command, unless it is a query.
