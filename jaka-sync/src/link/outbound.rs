@@ -83,7 +83,7 @@ impl Link {
         outgoing.check_firmware().map_err(|error| self.attach(error))?;
         outbound.out.set_firmware(outgoing.firmware);
         // A panic of the writing code leaves no request: none is entered yet, and the next call clears the buffer.
-        outbound.compose(count.min(state.room(outgoing)), write);
+        outbound.compose(count.min(state.room(outgoing, &self.clock)), write);
         gate.map_or(Ok(()), |gate| gate()).map_err(SendError::KeptBack)?;
         self.enter(&mut state, outbound, outgoing);
         drop(state);
@@ -104,13 +104,15 @@ impl Link {
     /// Enters the composed requests into the exchange.
     fn enter(&self, state: &mut LinkState, outbound: &mut Outbound, outgoing: &Outgoing<'_>) {
         outbound.texts().for_each(|text| self.tap.sent(text));
+        let support = outgoing.support();
+        if state.exchange.room(support, &outgoing.name) < usize::MAX {
+            state.untried_until = self.clock.now().checked_add(outgoing.left());
+        }
         let now = outgoing.is_posted.then(|| self.clock.now());
         for (_, request) in &mut outbound.requests {
             *request = match (now, &outgoing.name) {
-                (Some(now), Cow::Borrowed(command)) => {
-                    state.exchange.post(outgoing.owner, outgoing.support(), command, now)
-                }
-                (_, name) => state.exchange.send(outgoing.owner, outgoing.support(), name.clone()),
+                (Some(now), Cow::Borrowed(command)) => state.exchange.post(outgoing.owner, support, command, now),
+                (_, name) => state.exchange.send(outgoing.owner, support, name.clone()),
             };
             state.frame_changes += u64::from(outgoing.changes_frames());
             state.stops += u64::from(outgoing.right != Right::Usual);
@@ -197,7 +199,7 @@ impl Link {
             let is_free = !lets_pass && state.outbound.is_some();
             if is_free {
                 state.check_reserved(outgoing).map_err(|error| self.attach(error))?;
-                if state.room(outgoing) > 0 {
+                if state.room(outgoing, &self.clock) > 0 {
                     return Ok((Turn { link: self, outbound: state.outbound.take() }, state));
                 }
             }
@@ -205,8 +207,13 @@ impl Link {
             if left.is_zero() {
                 return Err(self.attach(outgoing.not_sent()));
             }
+            if !is_free {
+                state = self.state.wait(state, left);
+                continue;
+            }
             // Replies make room.
-            state = if is_free { self.turn(state, left, &mut Waiter::nobody()) } else { self.state.wait(state, left) };
+            let left = left.min(state.until_room(&self.clock));
+            state = self.turn(state, left, &mut Waiter::nobody());
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
-use jaka_clock::Socket;
+use jaka_clock::{Clock, Socket};
 use jaka_proto::Request;
 use jaka_proto::exchange::{Exchange, Owner};
 
@@ -29,6 +30,9 @@ pub(super) struct LinkState {
     pub(super) inbound: Option<Box<Inbound>>,
     pub(super) mode: Mode,
     pub(super) broken: Option<Arc<Disconnect>>,
+    /// Deadline of the newest command that the controller may lack. Nobody waits for it alone if it was posted or is
+    /// polled for.
+    pub(super) untried_until: Option<Instant>,
     /// Number of sent commands that change the frames or the tool to which poses refer.
     pub(super) frame_changes: u64,
     /// Number of sent stops.
@@ -58,6 +62,7 @@ impl LinkState {
             inbound: Some(Box::new(inbound)),
             mode: Mode::Blocking,
             broken: None,
+            untried_until: None,
             frame_changes: 0,
             stops: 0,
             reservations: Vec::new(),
@@ -88,13 +93,22 @@ impl LinkState {
     /// Number of these commands that may be entered now: a stop always; otherwise one at a time of those that the
     /// controller may lack, and beside a reservation, of all owners other than the reserving ones together, at most
     /// [`MOST_BESIDE`].
-    pub(super) fn room(&self, outgoing: &Outgoing<'_>) -> usize {
-        let room = self.exchange.room(outgoing.support(), &outgoing.name);
+    pub(super) fn room(&self, outgoing: &Outgoing<'_>, clock: &Clock) -> usize {
+        let room = match self.exchange.room(outgoing.support(), &outgoing.name) {
+            0 => usize::from(self.untried_until.is_some_and(|deadline| deadline <= clock.now())),
+            room => room,
+        };
         let leads = |owner| self.reservations.iter().any(|(_, by, of, _)| [by.owner(), *of].contains(&owner));
         if self.reservations.is_empty() || outgoing.is_stop() || leads(outgoing.owner) {
             return room;
         }
         room.min(MOST_BESIDE.saturating_sub(self.exchange.outstanding_of(|owner| !leads(owner))))
+    }
+
+    /// Time for which a thread may wait for a reply that makes room, until it asks again.
+    pub(super) fn until_room(&self, clock: &Clock) -> Duration {
+        let until = self.untried_until.map(|deadline| deadline.saturating_duration_since(clock.now()));
+        until.filter(|until| !until.is_zero()).unwrap_or(Duration::MAX)
     }
 
     /// Counts an entered command, unless it is a query.

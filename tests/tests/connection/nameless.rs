@@ -7,7 +7,7 @@ use std::time::Duration;
 use jaka_proto::Command;
 use jaka_sim::SimulatedClock;
 use jaka_sync::kinematics::GetJointPos;
-use jaka_sync::program::StopProgram;
+use jaka_sync::program::{SetRapidRate, StopProgram};
 use jaka_sync::{Client, Config, Error, ErrorKind};
 use jaka_tests::simulated::{beside, side_by_side};
 use jaka_tests::{ClockedSocket, LONG};
@@ -21,11 +21,16 @@ const SHORT: Duration = Duration::from_millis(20);
 /// Time between two calls that reach the controller in this order.
 const LATER: Duration = Duration::from_millis(1);
 
+const REPLY_TIMEOUT: Duration = Duration::from_millis(500);
+
+/// The request that sets the rapid rate.
+const RATE: &str = r#"{"cmdName":"rapid_rate","rate_value":0.5}"#;
+
 const REFUSAL: &str = r#"{"errorCode": "1", "errorMsg": "no such command"}"#;
 
 fn connected() -> (SimulatedClock, ClockedSocket, Client) {
     let clock = SimulatedClock::new();
-    let config = Config::new().clock(&clock);
+    let config = Config::new().clock(&clock).reply_timeout(REPLY_TIMEOUT);
     let (server, client) = ClockedSocket::accepted(&clock, |address| Client::connect_with(&config, address));
     (clock, server, client)
 }
@@ -223,5 +228,26 @@ fn a_command_that_is_not_answered_by_name_while_a_refusal_is_held_times_out_and_
     let outcome = beside(&clock, refuse_one, || call(&mut client, "second", SHORT));
     let error = outcome.expect_err("which of the two was refused is not known");
     assert!(matches!(error.kind(), ErrorKind::Timeout { .. }) && error.may_have_run(), "{error:?}");
+    assert_usable(&clock, &mut server, &client);
+}
+
+/// A posted command is waited for by nobody in particular.
+#[test]
+fn a_posted_command_that_is_not_answered_in_its_time_keeps_no_other_command_back() {
+    let (clock, mut server, mut client) = connected();
+    let mut other = client.try_clone().expect("the connection is there");
+    let mut pipeline = other.pipeline(8);
+    pipeline.send(&StopProgram::new()).expect("a stop waits for nothing");
+    pipeline.send(&SetRapidRate::new(0.5)).expect("it is the first of its kind");
+    let since = clock.elapsed();
+    let answer = || {
+        receive(&mut server, STOP);
+        server.read_exact(&mut vec![0; RATE.len()]).expect("a request comes");
+        receive(&mut server, "second");
+        assert_eq!(clock.elapsed().saturating_sub(since), REPLY_TIMEOUT);
+        write(&mut server, &[&accepted("second")]);
+    };
+    beside(&clock, answer, || call(&mut client, "second", REPLY_TIMEOUT * 2)).expect("it is answered");
+    drop(pipeline);
     assert_usable(&clock, &mut server, &client);
 }
