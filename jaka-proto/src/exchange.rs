@@ -11,11 +11,11 @@
 //! another thread, it is pending until that thread asks for it.
 //!
 //! ```
-//! use jaka_proto::exchange::{Delivery, Exchange, Owner, TextOnly, Waiter};
+//! use jaka_proto::exchange::{Delivery, Exchange, Owner, Support, TextOnly, Waiter};
 //!
 //! let (mut exchange, owner) = (Exchange::default(), Owner(1));
-//! let first = exchange.send(owner, "get_version".into());
-//! let second = exchange.send(owner, "get_robot_state".into());
+//! let first = exchange.send(owner, Support::Everywhere, "get_version".into());
+//! let second = exchange.send(owner, Support::Everywhere, "get_robot_state".into());
 //!
 //! // The thread that sent the second request reads both replies.
 //! let (mut text, mut reader) = (String::new(), TextOnly);
@@ -24,7 +24,8 @@
 //!     [r#"{"errorCode": "0", "cmdName": "get_version"}"#, r#"{"errorCode": "0", "cmdName": "get_robot_state"}"#];
 //! for (reply, delivery) in replies.into_iter().zip([Delivery::Pending, Delivery::Waiter]) {
 //!     let envelope = waiter.read(reply)?;
-//!     assert_eq!(exchange.receive(reply, envelope, &mut waiter)?.delivery, delivery);
+//!     let received = exchange.receive(reply, envelope, &mut waiter)?;
+//!     assert_eq!(received.map(|received| received.delivery), Some(delivery));
 //! }
 //! assert_eq!(waiter.take_outcome(), Some(Ok(())));
 //! assert_eq!(text, replies[1]);
@@ -47,8 +48,7 @@ use std::time::{Duration, Instant};
 
 use self::owners::Owners;
 pub use self::owners::{Owner, PostedOutcomes, PostedRequest};
-pub use self::sent::OutOfSync;
-pub use self::sent::RequestId;
+pub use self::sent::{OutOfSync, RequestId, Support};
 use self::sent::{Recipient, SentRequest, SentRequests};
 pub use self::waiter::{Failure, ReadReply, TextOnly, TypedReply, Waiter};
 use crate::envelope::Envelope;
@@ -60,7 +60,8 @@ use crate::envelope::Envelope;
 pub struct Exchange {
     sent: SentRequests,
     owners: Owners,
-    /// The outcomes of requests whose waiters have not asked yet, in the order of the requests: so they are completed.
+    /// The outcomes of requests whose waiters have not asked yet, in the order of the requests: so they are completed,
+    /// apart from refusals without a name.
     pending: VecDeque<(RequestId, Pending)>,
 }
 
@@ -125,16 +126,23 @@ impl Exchange {
         self.owners.posted(owner).next()
     }
 
+    /// Number of requests of a command that may be entered now. While a request is waited for whose command the
+    /// controller may lack, there is none for another of that kind: so a refusal without a name can be told to the
+    /// request that it belongs to.
+    pub fn room(&self, support: Support, command: &str) -> usize {
+        self.sent.room(support, command)
+    }
+
     /// Enters a request that goes out next. A [`Waiter`] will ask for its reply, or [`give_up`](Self::give_up) or
     /// [`abandon`](Self::abandon) will be called.
-    pub fn send(&mut self, owner: Owner, command: Cow<'static, str>) -> RequestId {
+    pub fn send(&mut self, owner: Owner, support: Support, command: Cow<'static, str>) -> RequestId {
         self.owners.count(owner);
-        self.sent.push(owner, command, Recipient::Waiter)
+        self.sent.push(owner, support, command, Recipient::Waiter)
     }
 
     /// Enters a request that goes out next and whose outcome is counted for its owner; `now` is the time.
-    pub fn post(&mut self, owner: Owner, command: &'static str, now: Instant) -> RequestId {
-        let id = self.sent.push(owner, command.into(), Recipient::Counted);
+    pub fn post(&mut self, owner: Owner, support: Support, command: &'static str, now: Instant) -> RequestId {
+        let id = self.sent.push(owner, support, command.into(), Recipient::Counted);
         self.owners.count(owner).post(PostedRequest { id, command, sent_at: now });
         id
     }
@@ -152,7 +160,13 @@ impl Exchange {
     /// Attributes a reply to its request. `waiter` is the thread that has read it by [`Waiter::read`], with its
     /// envelope.
     ///
-    /// Requests before the answered one have lost their replies, and fail with [`Failure::Lost`].
+    /// Requests before one that is answered by name have lost their replies, and fail with [`Failure::Lost`].
+    ///
+    /// A refusal without a name belongs to the only outstanding request. Of several, it belongs to one whose command the
+    /// controller may lack ([`Support::Uncertain`]) and has not answered by name on this connection. If there are more
+    /// of these than such refusals, because some were given up, the refusal is held, and the result is `None`: it is
+    /// told once each of them has one. A later reply with a name ends that: requests before it are lost, and those after
+    /// it go on waiting.
     ///
     /// # Errors
     /// The reply belongs to no outstanding request, or it is not certain to which.
@@ -161,25 +175,26 @@ impl Exchange {
         text: &str,
         envelope: Option<Envelope<'_>>,
         waiter: &mut Waiter<'_>,
-    ) -> Result<Received, OutOfSync> {
+    ) -> Result<Option<Received>, OutOfSync> {
         let Self { sent, owners, pending } = self;
         let lost = |request: SentRequest| {
             match request.recipient {
                 Recipient::Waiter if waiter.is_for(request.id) => waiter.fail(Failure::Lost),
-                Recipient::Waiter => pending.push_back((request.id, Pending::Lost)),
+                Recipient::Waiter => keep(pending, request.id, Pending::Lost),
                 Recipient::Counted => owners.finish(request.owner, request.id, Err(Failure::Lost)),
                 Recipient::Nobody => {}
             }
             owners.count_off(request.owner);
         };
-        let SentRequest { id, owner, command, recipient } = sent.complete_by(envelope.as_ref(), lost)?;
+        let Some(completed) = sent.complete_by(envelope.as_ref(), lost)? else { return Ok(None) };
+        let SentRequest { id, owner, command, recipient } = completed;
         let delivery = match recipient {
             Recipient::Waiter if waiter.is_for(id) => {
                 waiter.complete(text, envelope);
                 Delivery::Waiter
             }
             Recipient::Waiter => {
-                pending.push_back((id, Pending::Reply(text.to_owned())));
+                keep(pending, id, Pending::Reply(text.to_owned()));
                 Delivery::Pending
             }
             Recipient::Counted => {
@@ -189,7 +204,7 @@ impl Exchange {
             Recipient::Nobody => Delivery::Discarded,
         };
         owners.count_off(owner);
-        Ok(Received { request: id, command, delivery })
+        Ok(Some(Received { request: id, command, delivery }))
     }
 
     /// Gives a waiter its pending outcome, if there is one.
@@ -257,4 +272,10 @@ impl Exchange {
         let place = self.pending.binary_search_by_key(&request, |(owner, _)| *owner).ok()?;
         self.pending.remove(place).map(|(_, pending)| pending)
     }
+}
+
+/// Keeps the outcome of a request in the order of the requests.
+fn keep(pending: &mut VecDeque<(RequestId, Pending)>, request: RequestId, outcome: Pending) {
+    let place = pending.partition_point(|(other, _)| *other < request);
+    pending.insert(place, (request, outcome));
 }

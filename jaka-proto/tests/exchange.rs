@@ -4,21 +4,31 @@ use std::time::{Duration, Instant};
 
 use jaka_proto::Request;
 use jaka_proto::exchange::{
-    Delivery, Exchange, Failure, OutOfSync, Owner, ReadReply, Received, RequestId, TextOnly, Waiter,
+    Delivery, Exchange, Failure, OutOfSync, Owner, ReadReply, Received, RequestId, Support, TextOnly, Waiter,
 };
 
 const OWNER: Owner = Owner(1);
 
 fn send(exchange: &mut Exchange, command: &'static str) -> RequestId {
-    exchange.send(OWNER, command.into())
+    exchange.send(OWNER, Support::Everywhere, command.into())
 }
 
 fn named(command: &str) -> String {
     format!(r#"{{"errorCode": "0", "cmdName": "{command}"}}"#)
 }
 
+/// Sends a command that the controller may lack.
+fn send_uncertain(exchange: &mut Exchange, command: &'static str) -> RequestId {
+    exchange.send(OWNER, Support::Uncertain, command.into())
+}
+
 /// A reply comes, and is read by a thread that waits for nothing.
 fn receive(exchange: &mut Exchange, text: &str) -> Result<Received, OutOfSync> {
+    Ok(receive_any(exchange, text)?.expect("it completes a request"))
+}
+
+/// A reply comes that may be held.
+fn receive_any(exchange: &mut Exchange, text: &str) -> Result<Option<Received>, OutOfSync> {
     let envelope = TextOnly.read(text).expect("it is an object or a tuple");
     exchange.receive(text, envelope, &mut Waiter::nobody())
 }
@@ -66,7 +76,8 @@ fn a_waiter_is_given_its_own_reply_as_it_reads_it() {
     for (reply, delivery) in [(named("a"), Delivery::Pending), (named("b"), Delivery::Waiter)] {
         assert!(!waiter.is_done());
         let envelope = waiter.read(&reply).expect("it is an object");
-        assert_eq!(exchange.receive(&reply, envelope, &mut waiter).expect("it is outstanding").delivery, delivery);
+        let received = exchange.receive(&reply, envelope, &mut waiter).expect("it is outstanding");
+        assert_eq!(received.map(|received| received.delivery), Some(delivery));
     }
     assert!(waiter.is_done());
     assert_eq!(waiter.take_outcome(), Some(Ok(())));
@@ -83,7 +94,8 @@ fn a_waiter_that_reads_the_reply_to_a_later_request_has_lost_its_own() {
     let mut waiter = Waiter::new(a, &mut text, &mut reader);
     let reply = named("b");
     let envelope = waiter.read(&reply).expect("it is an object");
-    assert_eq!(exchange.receive(&reply, envelope, &mut waiter).expect("it is outstanding").delivery, Delivery::Pending);
+    let received = exchange.receive(&reply, envelope, &mut waiter).expect("it is outstanding");
+    assert_eq!(received.map(|received| received.delivery), Some(Delivery::Pending));
     assert_eq!(waiter.take_outcome(), Some(Err(Failure::Lost)));
     assert_eq!(pending(&mut exchange, b), Some(Ok(reply)));
 }
@@ -194,6 +206,98 @@ fn a_reply_without_a_name_is_attributed_only_if_it_is_the_refusal_of_the_only_re
     assert_eq!(receive(&mut exchange, refusal), Err(OutOfSync::Nameless));
 }
 
+/// A refusal without a name.
+const NAMELESS: &str = r#"{"errorCode": "1", "errorMsg": "no"}"#;
+
+fn is_refused(exchange: &mut Exchange, request: RequestId) -> bool {
+    matches!(pending(exchange, request), Some(Err(Failure::Refused(_))))
+}
+
+#[test]
+fn a_refusal_without_a_name_is_that_of_the_one_command_that_was_never_answered() {
+    let mut exchange = Exchange::default();
+    send_uncertain(&mut exchange, "known");
+    answer(&mut exchange, "known").expect("it is outstanding");
+    let (known, stop) = (send_uncertain(&mut exchange, "known"), send(&mut exchange, "stop"));
+    assert_eq!(receive_any(&mut exchange, NAMELESS), Err(OutOfSync::Nameless));
+    let lacked = send_uncertain(&mut exchange, "lacked");
+    let set_point = send(&mut exchange, "set-point");
+    assert_eq!(receive(&mut exchange, NAMELESS).expect("one may be lacked").request, lacked);
+    // The others have not lost their replies, and each waiter finds its outcome.
+    for (command, request) in [("known", known), ("stop", stop), ("set-point", set_point)] {
+        assert_eq!(answer(&mut exchange, command).expect("it is outstanding").request, request);
+        assert_eq!(pending(&mut exchange, request), Some(Ok(named(command))));
+    }
+    assert!(is_refused(&mut exchange, lacked));
+    // It may be lacked at the next time, too.
+    let again = send_uncertain(&mut exchange, "lacked");
+    send(&mut exchange, "stop");
+    assert_eq!(receive(&mut exchange, NAMELESS).expect("one may be lacked").request, again);
+}
+
+#[test]
+fn one_command_that_was_never_answered_is_waited_for_at_a_time() {
+    let mut exchange = Exchange::default();
+    let room = |exchange: &Exchange, command| exchange.room(Support::Uncertain, command);
+    assert_eq!(room(&exchange, "a"), 1);
+    let a = send_uncertain(&mut exchange, "a");
+    assert_eq!((room(&exchange, "a"), room(&exchange, "b")), (0, 0));
+    assert_eq!(exchange.room(Support::Everywhere, "b"), usize::MAX);
+    // What was given up does not count.
+    exchange.give_up(a).expect("nothing has come");
+    assert_eq!((room(&exchange, "a"), room(&exchange, "b")), (1, 1));
+    let b = send_uncertain(&mut exchange, "b");
+    assert_eq!((room(&exchange, "a"), room(&exchange, "b")), (0, 0));
+    exchange.withdraw(b).expect("nothing has come");
+    assert_eq!(room(&exchange, "b"), 1);
+    answer(&mut exchange, "a").expect("it is outstanding");
+    assert_eq!((room(&exchange, "a"), room(&exchange, "b")), (usize::MAX, 1));
+}
+
+#[test]
+fn a_refusal_without_a_name_is_held_while_one_that_was_given_up_may_have_been_refused() {
+    for decides in [false, true] {
+        let mut exchange = Exchange::default();
+        let given_up = send_uncertain(&mut exchange, "a");
+        exchange.give_up(given_up).expect("nothing has come");
+        let waits = send_uncertain(&mut exchange, "b");
+        let stop = send(&mut exchange, "stop");
+        assert_eq!(receive_any(&mut exchange, NAMELESS), Ok(None));
+        assert_eq!((exchange.outstanding(), pending(&mut exchange, waits)), (3, None));
+        if decides {
+            // Now both have been refused.
+            assert_eq!(receive(&mut exchange, NAMELESS).expect("two may be lacked").request, waits);
+            assert!(is_refused(&mut exchange, waits));
+            assert_eq!(exchange.outstanding(), 1);
+            assert_eq!(answer(&mut exchange, "stop").expect("it is outstanding").request, stop);
+        } else {
+            // One of the two has been refused, and it is not known which.
+            assert_eq!(answer(&mut exchange, "stop").expect("it is outstanding").request, stop);
+            assert_eq!(pending(&mut exchange, waits), Some(Err(Failure::Lost)));
+        }
+        assert_eq!(exchange.outstanding(), 0);
+    }
+}
+
+#[test]
+fn a_reply_with_a_name_ends_that_a_refusal_before_it_is_held() {
+    let mut exchange = Exchange::default();
+    let given_up = send_uncertain(&mut exchange, "a");
+    exchange.give_up(given_up).expect("nothing has come");
+    send(&mut exchange, "stop");
+    let waits = send_uncertain(&mut exchange, "b");
+    assert_eq!(receive_any(&mut exchange, NAMELESS), Ok(None));
+    // The refusal came before this reply, and so belongs to the request before it.
+    answer(&mut exchange, "stop").expect("it is outstanding");
+    send(&mut exchange, "stop");
+    assert_eq!((exchange.outstanding(), pending(&mut exchange, waits)), (2, None));
+    assert_eq!(receive(&mut exchange, NAMELESS).expect("one may be lacked").request, waits);
+    assert_eq!(
+        receive_any(&mut exchange, NAMELESS).expect("a stop is left").map(|stop| stop.delivery),
+        Some(Delivery::Pending)
+    );
+}
+
 #[test]
 fn a_bare_tuple_is_the_reply_of_the_one_command_that_is_answered_so() {
     let mut exchange = Exchange::new(Request::bare_reply_command());
@@ -207,7 +311,7 @@ fn a_bare_tuple_is_the_reply_of_the_one_command_that_is_answered_so() {
 #[test]
 fn a_request_that_did_not_go_out_is_withdrawn() {
     let mut exchange = Exchange::default();
-    let (a, b) = (send(&mut exchange, "a"), exchange.post(OWNER, "a", Instant::now()));
+    let (a, b) = (send(&mut exchange, "a"), exchange.post(OWNER, Support::Everywhere, "a", Instant::now()));
     assert_eq!(exchange.withdraw(a), Err(OutOfSync::BeforeSent));
     assert_eq!(exchange.withdraw(b), Ok(()));
     assert_eq!((exchange.outstanding(), exchange.posted_outstanding(OWNER)), (1, 0));
@@ -220,14 +324,14 @@ fn a_request_that_did_not_go_out_is_withdrawn() {
 fn outcomes_of_posted_requests_are_counted() {
     let (mut exchange, now) = (Exchange::default(), Instant::now());
     let later = now + Duration::from_secs(1);
-    let [first, second] = [now, later].map(|now| exchange.post(OWNER, "a", now));
-    exchange.post(OWNER, "b", later);
+    let [first, second] = [now, later].map(|now| exchange.post(OWNER, Support::Everywhere, "a", now));
+    exchange.post(OWNER, Support::Everywhere, "b", later);
     let oldest = exchange.oldest_posted(OWNER).expect("they are outstanding");
     assert_eq!((oldest.id, oldest.command, oldest.sent_at), (first, "a", now));
     assert_eq!(answer(&mut exchange, "a").expect("it is outstanding").delivery, Delivery::Counted);
     assert_eq!(exchange.oldest_posted(OWNER).map(|oldest| oldest.id), Some(second));
     receive(&mut exchange, r#"{"errorCode": "7", "cmdName": "a"}"#).expect("it is outstanding");
-    exchange.post(OWNER, "c", later);
+    exchange.post(OWNER, Support::Everywhere, "c", later);
     answer(&mut exchange, "c").expect("it is outstanding");
     let outcomes = exchange.take_posted_outcomes(OWNER);
     assert_eq!(outcomes.accepted, 2);
@@ -241,7 +345,7 @@ fn outcomes_of_posted_requests_are_counted() {
 fn posted_requests_are_given_up_from_the_oldest() {
     let (mut exchange, now, after) = (Exchange::default(), Instant::now(), Duration::from_secs(5));
     for _ in 0..3 {
-        exchange.post(OWNER, "a", now);
+        exchange.post(OWNER, Support::Everywhere, "a", now);
     }
     assert_eq!(exchange.give_up_oldest_posted(OWNER, after), Ok(()));
     assert_eq!(exchange.take_posted_outcomes(OWNER).failed, [("a", Failure::TimedOut { after })]);
@@ -260,10 +364,10 @@ fn posted_requests_are_given_up_from_the_oldest() {
 #[test]
 fn each_owner_has_its_own_counts_and_outcomes() {
     let (mut exchange, now, other) = (Exchange::default(), Instant::now(), Owner(2));
-    exchange.post(OWNER, "a", now);
-    exchange.post(other, "b", now);
-    exchange.post(other, "a", now);
-    let request = exchange.send(other, "c".into());
+    exchange.post(OWNER, Support::Everywhere, "a", now);
+    exchange.post(other, Support::Everywhere, "b", now);
+    exchange.post(other, Support::Everywhere, "a", now);
+    let request = exchange.send(other, Support::Everywhere, "c".into());
     assert_eq!((exchange.posted_outstanding(OWNER), exchange.posted_outstanding(other)), (1, 2));
     assert_eq!(exchange.outstanding_of(|owner| owner == other), 3);
     receive(&mut exchange, r#"{"errorCode": "7", "cmdName": "a"}"#).expect("it is outstanding");
@@ -321,22 +425,24 @@ fn the_time_of_a_step_does_not_grow_with_what_is_outstanding() {
     const COUNT: usize = 500_000;
     let since = Instant::now();
     let mut exchange = Exchange::default();
-    let send =
-        |exchange: &mut Exchange| -> Vec<RequestId> { (0..COUNT).map(|_| exchange.send(OWNER, "a".into())).collect() };
+    let send = |exchange: &mut Exchange| -> Vec<RequestId> {
+        (0..COUNT).map(|_| exchange.send(OWNER, Support::Everywhere, "a".into())).collect()
+    };
     let dropped = send(&mut exchange);
     for request in dropped {
         exchange.abandon(request);
     }
     let awaited = send(&mut exchange);
     for _ in 0..COUNT {
-        exchange.post(OWNER, "a", since);
+        exchange.post(OWNER, Support::Everywhere, "a", since);
     }
     let reply = named("a");
     for number in 0..3 * COUNT {
         let mut nobody = Waiter::nobody();
         let envelope = nobody.read(&reply).expect("the text is JSON");
-        let delivery = exchange.receive(&reply, envelope, &mut nobody).expect("it is outstanding").delivery;
-        assert_eq!(delivery, [Delivery::Discarded, Delivery::Pending, Delivery::Counted][number / COUNT]);
+        let received = exchange.receive(&reply, envelope, &mut nobody).expect("it is outstanding");
+        let delivery = [Delivery::Discarded, Delivery::Pending, Delivery::Counted][number / COUNT];
+        assert_eq!(received.map(|received| received.delivery), Some(delivery));
     }
     assert_eq!((exchange.outstanding(), exchange.posted_outstanding(OWNER)), (0, 0));
     assert_eq!(exchange.take_posted_outcomes(OWNER).accepted, COUNT as u64);

@@ -1,14 +1,43 @@
 //! Requests that were sent and have no reply yet, and the attribution of replies to them.
+//!
+//! Controllers refuse a command that they do not have without its name. Such a refusal is the reply to the only
+//! outstanding request. Of several, it is that to a *candidate*: a request of a command that this connection has not
+//! seen answered by name, unless [every controller has it](Support::Everywhere). While there are more candidates than
+//! refusals, the refusals are held: a candidate is not told that it was refused while it may have been accepted. A
+//! reply with a name ends that, since replies come in order.
 
 use std::borrow::Cow;
-use std::collections::VecDeque;
+use std::cmp::Ordering;
+use std::collections::{HashMap, VecDeque};
 
 use super::Owner;
+use crate::command::Role;
 use crate::envelope::Envelope;
 
 /// One request of an exchange. The default is one that no exchange gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct RequestId(u64);
+
+/// Whether controllers may lack a command, and refuse it without its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Support {
+    /// Every controller has the command.
+    Everywhere,
+    /// A controller may lack the command until it has answered it by name.
+    Uncertain,
+}
+
+impl Support {
+    /// Support of a request by its role: every controller has stops, set-points and servo mode.
+    pub fn of(role: Option<Role>) -> Self {
+        match role {
+            Some(Role::Stop | Role::StopAxis | Role::SetPoint | Role::ServoMode | Role::LeaveServoMode) => {
+                Self::Everywhere
+            }
+            Some(Role::Start | Role::Pause | Role::Resume | Role::Output | Role::State) | None => Self::Uncertain,
+        }
+    }
+}
 
 /// A request that is outstanding.
 #[derive(Debug)]
@@ -35,17 +64,22 @@ pub(crate) enum Recipient {
 pub(crate) struct SentRequests {
     /// In the order of their ids.
     outstanding: VecDeque<SentRequest>,
-    /// The names of outstanding requests, each once.
-    names: Vec<Name>,
+    /// The names of outstanding requests, and those by which a request was answered.
+    names: HashMap<Cow<'static, str>, Name>,
+    /// Outstanding requests to which a refusal without a name may belong, in the order of their ids.
+    candidates: VecDeque<RequestId>,
+    /// Number of refusals without a name that belong to candidates, while it is not known to which.
+    held: usize,
     count: u64,
     bare_reply: Option<&'static str>,
 }
 
-/// The outstanding requests of one name.
-#[derive(Debug)]
+/// The requests of one name.
+#[derive(Debug, Default)]
 struct Name {
-    command: Cow<'static, str>,
     outstanding: usize,
+    /// A reply with this name has come.
+    is_answered: bool,
     /// A reply of this name completed a request that had been given up; it may have been meant for one that is
     /// outstanding now. As long as one of these is, this holds for those that are sent after it, too.
     doubtful: bool,
@@ -63,7 +97,8 @@ crate::worded! {
         } => "a reply to `{command}` came, but no such request is outstanding",
         /// A reply came to a request before any of it was sent.
         BeforeSent => "a reply came to a request before any of it was sent",
-        /// A reply names no command, and is not the refusal of the only request that is outstanding.
+        /// A reply names no command, and is not the refusal of the only outstanding request or of a command that the
+        /// controller may lack.
         Nameless => "a reply came that names no command",
         /// A request was not answered in time, after a reply of its name was taken for that to an older request: it may
         /// have been its own.
@@ -84,13 +119,38 @@ impl SentRequests {
         self.outstanding.len()
     }
 
+    /// Number of requests of a command that may be sent now: one at a time of those that may be candidates, so that a
+    /// refusal without a name has one candidate that is waited for.
+    pub(super) fn room(&self, support: Support, command: &str) -> usize {
+        if !self.may_lack(support, command) {
+            return usize::MAX;
+        }
+        let newest = self.candidates.back().and_then(|newest| self.place(*newest));
+        let is_awaited = newest.is_some_and(|place| self.outstanding[place].recipient != Recipient::Nobody);
+        usize::from(!is_awaited)
+    }
+
+    /// True if the controller may lack the command.
+    fn may_lack(&self, support: Support, command: &str) -> bool {
+        support == Support::Uncertain && !self.names.get(command).is_some_and(|name| name.is_answered)
+    }
+
     /// Enters a request that goes out next.
-    pub(crate) fn push(&mut self, owner: Owner, command: Cow<'static, str>, recipient: Recipient) -> RequestId {
+    pub(crate) fn push(
+        &mut self,
+        owner: Owner,
+        support: Support,
+        command: Cow<'static, str>,
+        recipient: Recipient,
+    ) -> RequestId {
         self.count += 1;
         let id = RequestId(self.count);
-        match self.names.iter_mut().find(|name| name.command == command) {
+        if self.may_lack(support, &command) {
+            self.candidates.push_back(id);
+        }
+        match self.names.get_mut(&command) {
             Some(name) => name.outstanding += 1,
-            None => self.names.push(Name { command: command.clone(), outstanding: 1, doubtful: false }),
+            None => drop(self.names.insert(command.clone(), Name { outstanding: 1, ..Name::default() })),
         }
         self.outstanding.push_back(SentRequest { id, owner, command, recipient });
         id
@@ -103,22 +163,23 @@ impl SentRequests {
         }
         let newest = self.outstanding.pop_back().ok_or(OutOfSync::BeforeSent)?;
         self.count_off(&newest.command);
+        self.candidates.retain(|candidate| *candidate != id);
         Ok(newest)
     }
 
-    /// The request that is completed by the reply with this envelope, or without one. `lost` is called with each
-    /// request before it.
+    /// The request that is completed by the reply with this envelope, or without one; `None` for a refusal that is
+    /// held. `lost` is called with each request whose reply will not come any more.
     pub(crate) fn complete_by(
         &mut self,
         envelope: Option<&Envelope<'_>>,
         lost: impl FnMut(SentRequest),
-    ) -> Result<SentRequest, OutOfSync> {
+    ) -> Result<Option<SentRequest>, OutOfSync> {
         let Some(envelope) = envelope else {
-            return self.complete(self.bare_reply.unwrap_or_default(), lost);
+            return self.complete(self.bare_reply.unwrap_or_default(), lost).map(Some);
         };
         match &envelope.command {
-            Some(command) => self.complete(command, lost),
-            None if envelope.is_refusal() => self.complete_only(lost),
+            Some(command) => self.complete(command, lost).map(Some),
+            None if envelope.is_refusal() => self.complete_nameless(lost),
             None => Err(OutOfSync::Nameless),
         }
     }
@@ -126,43 +187,71 @@ impl SentRequests {
     /// The oldest request of this name, which a reply has completed.
     fn complete(&mut self, command: &str, mut lost: impl FnMut(SentRequest)) -> Result<SentRequest, OutOfSync> {
         let unsolicited = || OutOfSync::Unsolicited { command: command.to_owned() };
-        if !self.names.iter().any(|name| name.command == command) {
-            return Err(unsolicited());
-        }
+        let name = self.names.get_mut(command).filter(|name| name.outstanding > 0).ok_or_else(unsolicited)?;
+        let is_first = !std::mem::replace(&mut name.is_answered, true);
+        // They belong to requests before this one.
+        self.held = 0;
         while let Some(request) = self.outstanding.pop_front() {
-            let others = self.count_off(&request.command);
-            if request.command == command {
-                if let Some(name) = others.filter(|_| request.recipient == Recipient::Nobody) {
-                    name.doubtful = true;
-                }
-                return Ok(request);
+            if self.candidates.front() == Some(&request.id) {
+                self.candidates.pop_front();
             }
-            lost(request);
+            let others = self.count_off(&request.command);
+            if request.command != command {
+                lost(request);
+                continue;
+            }
+            if let Some(name) = others.filter(|_| request.recipient == Recipient::Nobody) {
+                name.doubtful = true;
+            }
+            if is_first {
+                let mut candidates = std::mem::take(&mut self.candidates);
+                candidates.retain(|id| self.place(*id).is_some_and(|place| self.outstanding[place].command != command));
+                self.candidates = candidates;
+            }
+            return Ok(request);
         }
         Err(unsolicited())
     }
 
-    /// The only request that is outstanding: a refusal without a name, as controllers send for a command they do not
-    /// know, is its reply.
-    fn complete_only(&mut self, lost: impl FnMut(SentRequest)) -> Result<SentRequest, OutOfSync> {
-        match self.outstanding.front() {
-            Some(only) if self.outstanding.len() == 1 => {
-                let command = only.command.clone();
-                self.complete(&command, lost)
+    /// The request that is completed by a refusal without a name: the only outstanding one, or the newest candidate
+    /// once there is a refusal for each. The older candidates were given up, as a rule.
+    fn complete_nameless(&mut self, lost: impl FnMut(SentRequest)) -> Result<Option<SentRequest>, OutOfSync> {
+        let completed = match (self.outstanding.len(), (self.held + 1).cmp(&self.candidates.len())) {
+            (1, _) => self.outstanding.front().map(|only| only.id),
+            (_, Ordering::Less) => {
+                self.held += 1;
+                return Ok(None);
             }
-            _ => Err(OutOfSync::Nameless),
-        }
+            (_, Ordering::Equal) => self.candidates.pop_back(),
+            (_, Ordering::Greater) => None,
+        };
+        let completed = completed.ok_or(OutOfSync::Nameless)?;
+        self.held = 0;
+        let older = std::mem::take(&mut self.candidates);
+        older.into_iter().filter(|id| *id != completed).filter_map(|id| self.remove(id)).for_each(lost);
+        Ok(self.remove(completed))
+    }
+
+    /// Removes a request, which has had its reply. Those before it may have theirs yet. Candidates are at the front as a
+    /// rule.
+    fn remove(&mut self, id: RequestId) -> Option<SentRequest> {
+        let request = self.place(id).and_then(|place| self.outstanding.remove(place))?;
+        self.count_off(&request.command);
+        Some(request)
     }
 
     /// Removes a request from the count of its name; returns the rest.
     fn count_off(&mut self, command: &str) -> Option<&mut Name> {
-        let place = self.names.iter().position(|name| name.command == command)?;
-        self.names[place].outstanding -= 1;
-        if self.names[place].outstanding == 0 {
-            self.names.swap_remove(place);
-            return None;
+        let name = self.names.get_mut(command)?;
+        name.outstanding -= 1;
+        if name.outstanding > 0 {
+            return self.names.get_mut(command);
         }
-        Some(&mut self.names[place])
+        name.doubtful = false;
+        if !name.is_answered {
+            self.names.remove(command);
+        }
+        None
     }
 
     fn place(&self, id: RequestId) -> Option<usize> {
@@ -173,7 +262,7 @@ impl SentRequests {
     pub(super) fn give_up(&mut self, id: RequestId) -> Result<(), OutOfSync> {
         let Some(place) = self.place(id) else { return Ok(()) };
         let command = &self.outstanding[place].command;
-        if self.names.iter().any(|name| name.doubtful && name.command == *command) {
+        if self.names.get(command).is_some_and(|name| name.doubtful) {
             return Err(OutOfSync::Ambiguous { command: command.clone().into_owned() });
         }
         self.outstanding[place].recipient = Recipient::Nobody;

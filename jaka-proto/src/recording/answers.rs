@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use super::{Ending, Event, Message, Port, Recording};
 use crate::exchange::sent::{Recipient, SentRequests};
-use crate::exchange::{Owner, RequestId};
-use crate::{Envelope, Request};
+use crate::exchange::{Owner, RequestId, Support};
+use crate::{CommandInfo, Envelope, Request};
 
 /// A recorded request, and its outcome.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -78,7 +78,8 @@ impl Pairs {
     fn sent(&mut self, connection: u32, request: &Message, sent: Duration) {
         let name = request.text().and_then(|text| Envelope::read(text).ok()?.command).unwrap_or_default();
         let connection = self.connections.entry(connection).or_default();
-        let id = connection.sent.push(Owner::default(), name.into_owned().into(), Recipient::Waiter);
+        let support = Support::of(CommandInfo::of(&name).and_then(|info| info.role));
+        let id = connection.sent.push(Owner::default(), support, name.into_owned().into(), Recipient::Waiter);
         connection.open.push((id, self.all.len()));
         self.all.push(Answered { request: request.clone(), sent, answer: Answer::Nothing });
     }
@@ -104,5 +105,5 @@ impl Pairs {
 fn completed_by(sent: &mut SentRequests, reply: &Message) -> Option<RequestId> {
     let text = reply.text()?;
     let envelope = if text.starts_with('(') { None } else { Some(Envelope::read(text).ok()?) };
-    sent.complete_by(envelope.as_ref(), drop).ok().map(|request| request.id)
+    sent.complete_by(envelope.as_ref(), drop).ok()?.map(|request| request.id)
 }

@@ -6,7 +6,7 @@ use std::panic::{self, AssertUnwindSafe};
 use std::time::Duration;
 
 use jaka_clock::Socket;
-use jaka_proto::exchange::{Delivery, Exchange, OutOfSync, RequestId, Waiter};
+use jaka_proto::exchange::{Delivery, Exchange, OutOfSync, Received, RequestId, Waiter};
 use jaka_proto::framing::{self, Framer};
 use jaka_proto::wire::{DecodeError, Writer};
 use jaka_proto::{Envelope, read_envelope};
@@ -153,7 +153,7 @@ fn receive_one(
     }
 }
 
-/// Attributes a reply that was read, and logs one that came late.
+/// Attributes a reply that was read, and logs one that came late or belongs to none yet.
 fn deliver(
     (exchange, stops): (&mut Exchange, &Stops),
     text: &str,
@@ -163,12 +163,15 @@ fn deliver(
     let envelope = envelope.map_err(Disconnect::NotJson)?;
     let is_accepted = envelope.as_ref().is_none_or(Envelope::is_accepted);
     let received = exchange.receive(text, envelope, waiter).map_err(Disconnect::OutOfSync)?;
-    stops.answered(received.request, is_accepted);
-    if received.delivery != Delivery::Discarded {
-        return Ok(None);
+    if let Some(received) = &received {
+        stops.answered(received.request, is_accepted);
     }
-    let command = &received.command;
-    let log = || log::debug!(target: WIRE, "late reply to `{command}` dropped");
+    let line = match received {
+        Some(Received { delivery: Delivery::Waiter | Delivery::Pending | Delivery::Counted, .. }) => return Ok(None),
+        Some(Received { command, delivery: Delivery::Discarded, .. }) => format!("late reply to `{command}` dropped"),
+        None => "a refusal names no command, and may be that of one of several".to_owned(),
+    };
+    let log = || log::debug!(target: WIRE, "{line}");
     Ok(panic::catch_unwind(AssertUnwindSafe(log)).err())
 }
 

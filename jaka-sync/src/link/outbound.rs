@@ -40,7 +40,8 @@ pub(crate) struct Dispatched {
 
 impl Link {
     /// Sends up to this many commands in one write, and enters them into the exchange. `write` writes the request with
-    /// an index. Of long requests, and beside a reservation, only some are sent at once.
+    /// an index. Of long requests, beside a reservation, and of a command that the controller may lack, only some are
+    /// sent at once.
     ///
     /// The thread whose turn it is asks the gate and enters the commands under the lock: the exchange has the order of
     /// the wire, and nothing is sent after a stop that the gate knows of. Between the gate and the write no code of the
@@ -106,11 +107,15 @@ impl Link {
     /// Enters the composed requests into the exchange.
     fn enter(&self, state: &mut LinkState, outbound: &mut Outbound, outgoing: &Outgoing<'_>) {
         outbound.texts().for_each(|text| self.tap.sent(text));
+        let support = outgoing.support();
+        if state.exchange.room(support, &outgoing.name) < usize::MAX {
+            state.untried_until = self.clock.now().checked_add(outgoing.left());
+        }
         let now = outgoing.is_posted.then(|| self.clock.now());
         for (_, request) in &mut outbound.requests {
             *request = match (now, &outgoing.name) {
-                (Some(now), Cow::Borrowed(command)) => state.exchange.post(outgoing.owner, command, now),
-                (_, name) => state.exchange.send(outgoing.owner, name.clone()),
+                (Some(now), Cow::Borrowed(command)) => state.exchange.post(outgoing.owner, support, command, now),
+                (_, name) => state.exchange.send(outgoing.owner, support, name.clone()),
             };
             state.frame_changes += u64::from(outgoing.changes_frames());
             state.count_change(outgoing);
@@ -180,8 +185,8 @@ impl Link {
         Err(self.disconnected(outgoing.command, Transmission::Sent, self.break_off(state, cause)))
     }
 
-    /// Waits until no other thread sends, no stop waits for the turn, and there is room beside a reservation. Fails for
-    /// a command that a reservation keeps back.
+    /// Waits until no other thread sends, no stop waits for the turn, and there is [room](LinkState::room). Fails for a
+    /// command that a reservation keeps back.
     pub(super) fn take_turn<'l>(
         &'l self,
         outgoing: &Outgoing<'_>,
@@ -199,15 +204,22 @@ impl Link {
                 if state.room(outgoing, &self.stops) > 0 {
                     return Ok((Turn { link: self, outbound: state.outbound.take() }, state));
                 }
-                // It does not wait for room that it may not use.
-                self.stops.check(outgoing).map_err(|error| self.attach(error))?;
+                // It does not wait for room beside a session that it may not use.
+                if self.stops.leaders().is_some_and(|leads| !leads.contains(&outgoing.owner)) {
+                    self.stops.check(outgoing).map_err(|error| self.attach(error))?;
+                }
             }
             let left = outgoing.left();
             if left.is_zero() {
                 return Err(self.attach(outgoing.not_sent()));
             }
+            if !is_free {
+                state = self.state.wait(state, left);
+                continue;
+            }
             // Replies make room.
-            state = if is_free { self.turn(state, left, &mut Waiter::nobody()) } else { self.state.wait(state, left) };
+            let left = left.min(state.until_room(&self.clock));
+            state = self.turn(state, left, &mut Waiter::nobody());
         }
     }
 }

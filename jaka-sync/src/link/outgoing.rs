@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use jaka_clock::{Clock, Stopwatch};
 use jaka_proto::check::{NotSent, Rules};
-use jaka_proto::exchange::Owner;
+use jaka_proto::exchange::{Owner, Support};
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion, Role};
 
@@ -177,6 +177,11 @@ impl<'o> Outgoing<'o> {
     /// True for a stop, which is sent before all other commands that wait.
     pub(super) fn is_stop(&self) -> bool {
         self.role == Some(Role::Stop)
+    }
+
+    /// Whether the controller may lack the command.
+    pub(super) fn support(&self) -> Support {
+        Support::of(self.role)
     }
 
     /// True if the command changes nothing. An unknown command may change anything.

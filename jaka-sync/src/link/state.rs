@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
-use jaka_clock::Socket;
+use jaka_clock::{Clock, Socket};
 use jaka_proto::Request;
 use jaka_proto::exchange::{Exchange, Owner};
 
@@ -30,6 +31,9 @@ pub(super) struct LinkState {
     pub(super) inbound: Option<Box<Inbound>>,
     pub(super) mode: Mode,
     pub(super) broken: Option<Arc<Disconnect>>,
+    /// Deadline of the newest command that the controller may lack. Nobody waits for it alone if it was posted or is
+    /// polled for.
+    pub(super) untried_until: Option<Instant>,
     /// Number of sent commands that change the frames or the tool to which poses refer.
     pub(super) frame_changes: u64,
     /// The last number of a handle, or of another owner.
@@ -55,6 +59,7 @@ impl LinkState {
             inbound: Some(Box::new(inbound)),
             mode: Mode::Blocking,
             broken: None,
+            untried_until: None,
             frame_changes: 0,
             last_number: 0,
             changes: 0,
@@ -67,14 +72,24 @@ impl LinkState {
         self.last_number
     }
 
-    /// Number of these commands that may be entered now: a stop always, and beside a session, of all others together at
-    /// most [`MOST_BESIDE`].
+    /// Number of these commands that may be entered now: a stop always; otherwise one at a time of those that the
+    /// controller may lack, and beside a session, of all others together at most [`MOST_BESIDE`].
     pub(super) fn room(&self, outgoing: &Outgoing<'_>, stops: &Stops) -> usize {
+        let room = match self.exchange.room(outgoing.support(), &outgoing.name) {
+            0 => usize::from(self.untried_until.is_some_and(|deadline| deadline <= stops.clock().now())),
+            room => room,
+        };
         let leads = match stops.leaders() {
             Some(leads) if !outgoing.is_stop() && !leads.contains(&outgoing.owner) => leads,
-            Some(_) | None => return usize::MAX,
+            Some(_) | None => return room,
         };
-        MOST_BESIDE.saturating_sub(self.exchange.outstanding_of(|owner| !leads.contains(&owner)))
+        room.min(MOST_BESIDE.saturating_sub(self.exchange.outstanding_of(|owner| !leads.contains(&owner))))
+    }
+
+    /// Time for which a thread may wait for a reply that makes room, until it asks again.
+    pub(super) fn until_room(&self, clock: &Clock) -> Duration {
+        let until = self.untried_until.map(|deadline| deadline.saturating_duration_since(clock.now()));
+        until.filter(|until| !until.is_zero()).unwrap_or(Duration::MAX)
     }
 
     /// Counts an entered command, unless it is a query.

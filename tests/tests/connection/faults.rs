@@ -184,11 +184,25 @@ fn refusal_without_a_name() {
     assert_usable(&controller, &mut client);
 }
 
+/// The controller may lack both.
 #[test]
 fn refusal_without_a_name_while_two_requests_are_outstanding() {
-    let (controller, mut client) = faulty(Fault::Drop);
+    let (_controller, mut client) = faulty(Fault::Drop);
     assert!(client.get_version().expect_err("no reply comes").is_timeout());
     let error = client.call_raw("no_such_command", &json!({})).expect_err("whose is the refusal?");
+    assert!(error.is_timeout() && error.may_have_run(), "{error:?}");
+    client.get_joint_pos().expect("the connection works");
+}
+
+#[test]
+fn refusal_without_a_name_of_one_of_two_commands_that_the_controller_has() {
+    let (controller, mut client) = faulty(Fault::None);
+    client.get_version().expect("it answers");
+    client.get_joint_pos().expect("it answers");
+    controller.inject(Fault::Drop);
+    assert!(client.get_version().expect_err("no reply comes").is_timeout());
+    controller.inject(Fault::Instead(br#"{"errorCode": "2", "errorMsg": "no"}"#.to_vec()));
+    let error = client.get_joint_pos().expect_err("whose is the refusal?");
     assert!(cause_of(error).contains("Nameless"));
     assert_broken(&controller, &mut client, "names no command");
 }

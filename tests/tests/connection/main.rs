@@ -14,6 +14,7 @@ mod held_back;
 mod hostile_text;
 mod mistakes;
 mod monitor;
+mod nameless;
 mod odd_replies;
 mod odd_status;
 mod packet_types;

@@ -1,5 +1,6 @@
 //! Pipelines: commands that do not wait for one another's replies.
 
+use std::io::{Read, Write};
 use std::thread;
 use std::time::Duration;
 
@@ -18,6 +19,27 @@ const SHORT: Duration = Duration::from_millis(300);
 
 fn connected() -> (Arm, Client) {
     Arm::real_time().without_power().with_client()
+}
+
+/// As [`connected`], and the controller has answered the commands of these tests: until then, one at a time goes out.
+fn tried() -> (Arm, Client) {
+    let (controller, mut client) = connected();
+    client.set_digital_output(&output(0)).expect("the controller has such an output");
+    client.call(&SetRapidRate::new(1.0)).expect("it is a rate");
+    (controller, client)
+}
+
+/// A client of somebody who has answered one output, and answers nothing more.
+fn unanswered(clock: &SimulatedClock) -> (ClockedSocket, Client) {
+    let config = Config::new().clock(clock).reply_timeout(SHORT);
+    let (mut server, mut client) = ClockedSocket::accepted(clock, |address| Client::connect_with(&config, address));
+    let answer = || {
+        server.read_exact(&mut [0; 1]).expect("the output comes");
+        let reply = r#"{"errorCode": "0", "errorMsg": "", "cmdName": "set_digital_output"}"#;
+        server.write_all(reply.as_bytes()).expect("the client reads");
+    };
+    beside(clock, answer, || client.set_digital_output(&output(0)).expect("it is answered"));
+    (server, client)
 }
 
 /// A controller in simulated time, and a client with a short reply timeout.
@@ -61,7 +83,7 @@ fn all_commands_go_out_in_order_and_no_more_than_the_window_is_outstanding() {
 
 #[test]
 fn a_full_window_is_waited_for_down_to_its_half() {
-    let (controller, mut client) = connected();
+    let (controller, mut client) = tried();
     for fault in [Fault::None, Fault::None, Fault::Drop, Fault::Drop] {
         controller.inject(fault);
     }
@@ -133,7 +155,7 @@ fn what_was_not_reported_before_is_reported_at_the_end() {
 
 #[test]
 fn a_lost_reply_is_reported() {
-    let (controller, mut client) = connected();
+    let (controller, mut client) = tried();
     controller.inject(Fault::Drop);
     let mut pipeline = client.pipeline(8);
     pipeline.send(&output(1)).expect("it is not known yet");
@@ -247,10 +269,8 @@ fn a_reply_that_is_lost_after_dropped_pipelines_is_still_noticed() {
 
 #[test]
 fn no_more_than_256_commands_are_outstanding_so_that_a_stop_is_of_use() {
-    // Of somebody who answers nothing.
     let clock = SimulatedClock::new();
-    let config = Config::new().clock(&clock).reply_timeout(SHORT);
-    let (_server, mut client) = ClockedSocket::accepted(&clock, |address| Client::connect_with(&config, address));
+    let (_server, mut client) = unanswered(&clock);
     let outputs: Vec<_> = (0..1000).map(|number| output(number % 8)).collect();
     let mut pipeline = client.pipeline(100_000);
     assert!(pipeline.send_all(&outputs).expect_err("nobody answers").is_timeout());
@@ -264,7 +284,7 @@ fn no_more_than_256_commands_are_outstanding_so_that_a_stop_is_of_use() {
 
 #[test]
 fn pipelines_of_two_handles_have_their_own_counts_and_errors() {
-    let (controller, mut client) = connected();
+    let (controller, mut client) = tried();
     let mut other = client.try_clone().expect("the connection is there");
     let (mut refused, mut accepted) = (client.pipeline(8), other.pipeline(8));
     refused.send(&set_point()).expect("it is not known yet");
@@ -280,7 +300,7 @@ fn pipelines_of_two_handles_have_their_own_counts_and_errors() {
 
 #[test]
 fn a_dropped_pipeline_gives_up_its_own_replies_alone() {
-    let (controller, mut client) = connected();
+    let (controller, mut client) = tried();
     let mut other = client.try_clone().expect("the connection is there");
     let mut kept = client.pipeline(8);
     controller.inject(Fault::WithNext);
@@ -297,10 +317,8 @@ fn a_dropped_pipeline_gives_up_its_own_replies_alone() {
 
 #[test]
 fn beside_a_reservation_eight_commands_of_others_are_outstanding_and_stops_pass() {
-    // Of somebody who answers nothing.
     let clock = SimulatedClock::new();
-    let config = Config::new().clock(&clock).reply_timeout(SHORT);
-    let (_server, client) = ClockedSocket::accepted(&clock, |address| Client::connect_with(&config, address));
+    let (_server, client) = unanswered(&clock);
     let link = client.link();
     let session = link.new_owner();
     let lead = link.lead(client.handle(), session).expect("nothing keeps it back");

@@ -7,7 +7,7 @@ use jaka_sync::proto::exchange::{
 };
 use proptest::prelude::*;
 
-use crate::model::{Got, Model, NAMES, OWNERS, Recipient, TUPLE};
+use crate::model::{Got, Model, NAMES, OWNERS, Recipient, TUPLE, support};
 use crate::server::{Form, Message, Move, Server, any_move, number_in};
 
 /// Liberties of a run other than sending, posting, answering late, losing replies, giving up and abandoning.
@@ -115,9 +115,14 @@ impl Run {
         if self.premise != Premise::SeveralOfAName && self.model.waits_for(name) {
             return;
         }
+        let room = self.exchange.room(support(name), name);
+        assert_eq!(room, self.model.room(name));
+        if room == 0 {
+            return;
+        }
         self.ids.push(match recipient {
-            Recipient::Count(owner) => self.exchange.post(owned(owner), name, self.now),
-            _ => self.exchange.send(CALLER, name.into()),
+            Recipient::Count(owner) => self.exchange.post(owned(owner), support(name), name, self.now),
+            _ => self.exchange.send(CALLER, support(name), name.into()),
         });
         let number = self.server.receive(name);
         self.model.send(number, name, recipient);
@@ -140,7 +145,7 @@ impl Run {
         if next.is_surplus() && self.premise != Premise::Surplus || matches!(next, Move::Garbage | Move::End) {
             return Ok(());
         }
-        let (written, lost) = self.server.make(next);
+        let (written, lost) = self.server.make(next, self.model.outstanding.len());
         for (number, name) in lost {
             self.model.lose(number, name);
         }
@@ -159,15 +164,18 @@ impl Run {
         let envelope = waiter.read(&text).expect("the server writes JSON and tuples");
         let received = self.exchange.receive(&text, envelope, &mut waiter);
         let outcome = waiter.take_outcome().map(|outcome| outcome_of(outcome, &got));
-        let received = received.map(|received| (received.request, received.delivery));
-        let expected = self.model.arrive(reply).map(|(number, recipient)| {
-            let delivery = match recipient {
-                Recipient::Waiter if reader == Some(number) => Delivery::Waiter,
-                Recipient::Waiter => Delivery::Pending,
-                Recipient::Count(_) => Delivery::Counted,
-                Recipient::Nobody => Delivery::Discarded,
-            };
-            (self.id(number), delivery)
+        let received = received.map(|received| received.map(|received| (received.request, received.delivery)));
+        let completed = self.model.arrive(reply);
+        let expected = completed.map(|completed| {
+            completed.map(|(number, recipient)| {
+                let delivery = match recipient {
+                    Recipient::Waiter if reader == Some(number) => Delivery::Waiter,
+                    Recipient::Waiter => Delivery::Pending,
+                    Recipient::Count(_) => Delivery::Counted,
+                    Recipient::Nobody => Delivery::Discarded,
+                };
+                (self.id(number), delivery)
+            })
         });
         assert_eq!(received, expected, "{reply:?}");
         expected?;

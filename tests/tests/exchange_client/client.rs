@@ -326,7 +326,7 @@ impl Run {
     }
 
     fn call(&mut self, actor: Actor, name: &'static str, timeout: Duration) -> Result<(), String> {
-        if self.model.is_busy(actor) || self.model.is_finishing {
+        if self.model.is_busy(actor) || self.model.is_finishing || self.model.exchange.room(name) == 0 {
             return Ok(());
         }
         self.keep_apart(&[timeout])?;
@@ -357,7 +357,14 @@ impl Run {
     fn call_and_stop(&mut self, stop: Actor) -> Result<(), String> {
         let model = &self.model;
         let has_more = !model.read.is_empty() || !model.unread.is_empty();
-        if model.is_busy(CLIENT) || model.is_busy(stop) || model.is_finishing || model.is_broken || has_more {
+        let has_room = model.exchange.room(NAMES[0]) > 0;
+        if model.is_busy(CLIENT)
+            || model.is_busy(stop)
+            || model.is_finishing
+            || model.is_broken
+            || has_more
+            || !has_room
+        {
             return Ok(());
         }
         self.keep_apart(&[LONG, TIMEOUT])?;
@@ -379,7 +386,7 @@ impl Run {
     }
 
     fn post(&mut self, name: &'static str, count: usize) -> Result<(), String> {
-        if self.model.calls[CLIENT].is_some() || self.model.is_finishing {
+        if self.model.calls[CLIENT].is_some() || self.model.is_finishing || self.model.exchange.room(name) < count {
             return Ok(());
         }
         self.keep_apart(&[TIMEOUT])?;
@@ -400,7 +407,9 @@ impl Run {
         if self.model.is_broken || !self.model.unread.is_empty() && next != Move::End {
             return Ok(());
         }
-        let (written, lost) = self.server.make(next);
+        // While nobody waits, the client may send more before it reads.
+        let outstanding = if self.model.is_waited_for() { self.model.exchange.outstanding.len() } else { 0 };
+        let (written, lost) = self.server.make(next, outstanding);
         for (number, name) in lost {
             self.model.exchange.lose(number, name);
         }

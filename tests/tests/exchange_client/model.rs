@@ -4,11 +4,12 @@
 //! was written: so it can tell when a rule gives a reply to another request, and it claims that this happens only where
 //! names cannot tell.
 
+use std::cmp::Ordering;
 use std::collections::HashSet;
 
 use jaka_sync::Command;
 use jaka_sync::program::{PauseProgram, StopProgram};
-use jaka_sync::proto::exchange::OutOfSync;
+use jaka_sync::proto::exchange::{OutOfSync, Support};
 
 use crate::server::{Form, Reply};
 
@@ -19,7 +20,12 @@ pub(crate) const PAUSE: &str = PauseProgram::INFO.name;
 /// The command whose reply is a bare tuple, without a name.
 pub(crate) const TUPLE: &str = "get_extio_status";
 /// Names of commands. Few, so that equal ones meet.
-pub(crate) const NAMES: [&str; 4] = ["query", PAUSE, STOP, TUPLE];
+pub(crate) const NAMES: [&str; 6] = ["query", PAUSE, STOP, TUPLE, "second", "third"];
+
+/// Whether a controller may lack a command.
+pub(crate) fn support(name: &str) -> Support {
+    if name == STOP { Support::Everywhere } else { Support::Uncertain }
+}
 
 /// Number of owners that post.
 pub(crate) const OWNERS: usize = 2;
@@ -68,8 +74,12 @@ pub(crate) struct Model {
     on_their_way: HashSet<u32>,
     /// Requests whose own replies have come.
     delivered: HashSet<u32>,
-    /// Names of which a reply was lost.
+    /// Names of which a reply was lost, or was held and so given to no request.
     lost: HashSet<&'static str>,
+    /// Names by which a request was answered.
+    answered: HashSet<&'static str>,
+    /// Number of refusals without a name that are held.
+    held: usize,
     /// Names of which two replies were waited for at once.
     several: HashSet<&'static str>,
     /// Names of which a reply was discarded.
@@ -94,6 +104,18 @@ impl Model {
         self.places(Recipient::Count(owner)).next().map(|place| self.outstanding[place])
     }
 
+    /// True for a request to which a refusal without a name may belong.
+    fn is_candidate(&self, name: &str) -> bool {
+        support(name) == Support::Uncertain && !self.answered.contains(name)
+    }
+
+    /// Number of requests of a name that may be sent now.
+    pub(crate) fn room(&self, name: &str) -> usize {
+        let is_waited_for = |request: &Request| request.recipient != Recipient::Nobody;
+        let mut candidates = self.outstanding.iter().filter(|request| self.is_candidate(request.name));
+        if self.is_candidate(name) { usize::from(!candidates.any(is_waited_for)) } else { usize::MAX }
+    }
+
     /// A request goes out.
     pub(crate) fn send(&mut self, number: u32, name: &'static str, recipient: Recipient) {
         if self.waits_for(name) {
@@ -109,8 +131,12 @@ impl Model {
         if self.outstanding.last().is_none_or(|newest| newest.number != number) {
             return Err(OutOfSync::BeforeSent);
         }
-        self.outstanding.pop();
-        self.on_their_way.remove(&number);
+        let newest = self.outstanding.pop().expect("it is outstanding");
+        if !self.on_their_way.remove(&number) && self.held > 0 {
+            // The refusal of what was not sent may be taken for that of another.
+            self.mistake_candidates();
+            self.mistakable.insert(newest.name);
+        }
         Ok(())
     }
 
@@ -120,21 +146,24 @@ impl Model {
         self.lost.insert(name);
     }
 
-    /// A reply comes: the request that it completes, and the recipient.
-    pub(crate) fn arrive(&mut self, reply: Reply) -> Result<(u32, Recipient), OutOfSync> {
+    /// A reply comes: the request that it completes, and the recipient; none for a refusal that is held.
+    pub(crate) fn arrive(&mut self, reply: Reply) -> Result<Option<(u32, Recipient)>, OutOfSync> {
         let Reply { number, name, form } = reply;
         let is_own = self.on_their_way.remove(&number);
         let place = match form {
             Form::Nameless if self.outstanding.len() == 1 => 0,
-            Form::Nameless | Form::Anonymous => return Err(OutOfSync::Nameless),
+            Form::Nameless => return self.arrive_nameless(reply, is_own),
+            Form::Anonymous => return Err(OutOfSync::Nameless),
             Form::Accepted | Form::Refused => {
                 let Some(place) = self.outstanding.iter().position(|request| request.name == name) else {
                     assert!(!is_own || self.is_mistakable(name), "{reply:?} belongs to no request: {self:?}");
                     return Err(OutOfSync::Unsolicited { command: name.to_owned() });
                 };
+                self.answered.insert(name);
                 place
             }
         };
+        self.held = 0;
         if is_own {
             self.delivered.insert(number);
         }
@@ -158,7 +187,45 @@ impl Model {
         }
         let is_accepted = form == Form::Accepted;
         self.end(taker, if is_accepted { Got::Accepted(number) } else { Got::Refused(number) });
-        Ok((taker.number, taker.recipient))
+        Ok(Some((taker.number, taker.recipient)))
+    }
+
+    /// A refusal without a name comes while several requests are outstanding. The newest candidate is refused once all
+    /// are, and those before it were given up.
+    fn arrive_nameless(&mut self, reply: Reply, is_own: bool) -> Result<Option<(u32, Recipient)>, OutOfSync> {
+        let Reply { number, name, .. } = reply;
+        let candidates: Vec<_> =
+            self.outstanding.iter().filter(|request| self.is_candidate(request.name)).copied().collect();
+        if !is_own || self.mistakable.contains(name) {
+            self.mistake_candidates();
+        }
+        match (self.held + 1).cmp(&candidates.len()) {
+            Ordering::Less => {
+                self.held += 1;
+                self.lost.insert(name);
+                return Ok(None);
+            }
+            Ordering::Equal => {}
+            Ordering::Greater => {
+                assert!(!is_own || self.is_mistakable(name), "{reply:?} belongs to no request: {self:?}");
+                return Err(OutOfSync::Nameless);
+            }
+        }
+        self.held = 0;
+        self.outstanding.retain(|request| candidates.iter().all(|candidate| candidate.number != request.number));
+        let (taker, older) = candidates.split_last().expect("there is one for each refusal");
+        assert!(older.iter().all(|request| request.recipient == Recipient::Nobody), "they were given up: {self:?}");
+        let is_right = number == taker.number || self.mistakable.contains(taker.name);
+        assert!(is_right, "{reply:?} is given to {taker:?}: {self:?}");
+        self.delivered.insert(number);
+        self.end(*taker, Got::Refused(number));
+        Ok(Some((taker.number, taker.recipient)))
+    }
+
+    /// A surplus refusal without a name, or what is mistaken because of a surplus reply, may be taken for that of each candidate.
+    fn mistake_candidates(&mut self) {
+        let names = self.outstanding.iter().map(|request| request.name);
+        self.mistakable.extend(names.filter(|name| self.is_candidate(name)).collect::<Vec<_>>());
     }
 
     /// A later request was answered.

@@ -1,11 +1,13 @@
 //! The server: the requests that it has received, and what it writes.
 
-use std::collections::VecDeque;
+use std::collections::{HashSet, VecDeque};
 use std::fmt;
 
 use proptest::prelude::*;
 
-use crate::model::{NAMES, STOP, TUPLE};
+use jaka_sync::proto::exchange::Support;
+
+use crate::model::{NAMES, STOP, TUPLE, support};
 
 /// A move of the server.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,7 +19,8 @@ pub(crate) enum Move {
     AnswerTwo,
     /// Answers the newest request; the replies to those before it are lost.
     AnswerNewest,
-    /// Refuses the oldest request without its name.
+    /// Refuses the oldest request without its name, as a controller does that does not have the command; otherwise as
+    /// [`Refuse`](Self::Refuse).
     RefuseNameless,
     /// Accepts the oldest request without its name.
     AcceptAnonymous,
@@ -101,6 +104,8 @@ pub(crate) struct Server {
     number: u32,
     /// Request of which a [copy](Move::Copy) of the reply can be written.
     last: Option<(u32, &'static str)>,
+    /// Names in replies that were written: the server has these commands.
+    named: HashSet<&'static str>,
     has_ended: bool,
 }
 
@@ -119,8 +124,9 @@ impl Server {
         }
     }
 
-    /// Makes a move: what is written in one piece, and the requests whose replies are lost.
-    pub(crate) fn make(&mut self, next: Move) -> (Vec<Message>, Vec<(u32, &'static str)>) {
+    /// Makes a move: what is written in one piece, and the requests whose replies are lost. Of the only outstanding
+    /// request, any refusal may have no name.
+    pub(crate) fn make(&mut self, next: Move, outstanding: usize) -> (Vec<Message>, Vec<(u32, &'static str)>) {
         let mut lost = Vec::new();
         if self.has_ended {
             return (Vec::new(), lost);
@@ -137,7 +143,12 @@ impl Server {
                 self.last = lost.last().copied().or(self.last);
                 written
             }
-            Move::RefuseNameless => self.answer(1, Form::Nameless),
+            Move::RefuseNameless => {
+                let lacks = |name| support(name) == Support::Uncertain && !self.named.contains(name);
+                let may_be_nameless =
+                    outstanding == 1 || self.to_answer.front().is_some_and(|(_, oldest)| lacks(*oldest));
+                self.answer(1, if may_be_nameless { Form::Nameless } else { Form::Refused })
+            }
             Move::AcceptAnonymous => self.answer(1, Form::Anonymous),
             Move::Lose => {
                 lost.extend(self.to_answer.pop_front());
@@ -153,6 +164,11 @@ impl Server {
                 vec![Message::End]
             }
         };
+        for message in &written {
+            if let Message::Reply(Reply { name, form: Form::Accepted | Form::Refused, .. }) = message {
+                self.named.insert(name);
+            }
+        }
         (written, lost)
     }
 

@@ -13,6 +13,7 @@ use jaka_robot::{
     Client, ErrorKind, FollowConfig, Robot, RobotConfig, ServoConfig, StreamConfig, Unchecked, jaka_sync,
 };
 use jaka_sim::{Fault, Port};
+use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, Configured as _, LONG};
 use serde_json::json;
 
@@ -237,4 +238,52 @@ fn a_refused_output_of_a_pipeline_ends_no_stream_and_is_told_to_its_sender() {
     let end = stream.land().expect("nothing is wrong");
     assert_eq!((end.report.refused, end.report.unanswered), (0, 0), "{end:?}");
     end.at_rest().expect("it rests");
+}
+
+/// A query that passes beside set-points, and that the connection has not seen answered.
+const LACKED: &str = "get_funcdi_status";
+
+/// The firmware refuses the next request without its name: it does not have the command. The reply is 30 ms on its way,
+/// so that several requests are outstanding when it comes.
+fn lack(arm: &Arm) {
+    arm.link(Port::Command).to_client().delay(Duration::from_millis(30));
+    arm.inject_for(LACKED, Fault::Instead(br#"{"errorCode": "1", "errorMsg": "no such command"}"#.to_vec()));
+}
+
+fn assert_lacked(other: &mut Client, command: &str) {
+    let error = other.call_raw(command, &json!({})).expect_err("the firmware does not have it");
+    assert_eq!(error.refusal().unwrap_or_else(|| panic!("{error:?}")).command, command);
+}
+
+#[test]
+fn a_command_that_the_firmware_lacks_ends_no_stream_and_no_session() {
+    let (arm, mut robot, mut other) = ready();
+    let stream = robot.stream(&StreamConfig::new()).expect("the arm rests");
+    stream::speed_up(&stream.handle(), arm.clock());
+    for _ in 0..5 {
+        lack(&arm);
+        assert_lacked(&mut other, LACKED);
+    }
+    let end = stream.land().expect("nothing is wrong");
+    assert_eq!((end.report.gaps, end.report.refused, end.report.unanswered), (0, 0, 0), "{end:?}");
+    end.at_rest().expect("it rests");
+
+    let mut session = robot.enter_servo_mode(ServoConfig::new()).expect("the arm rests");
+    lack(&arm);
+    let mut go = || (0..20).try_for_each(|_| session.send_joint_offset([0.002; 6]));
+    beside(arm.clock(), || assert_lacked(&mut other, LACKED), &mut go).expect("nothing is wrong");
+    let end = session.land().expect("nothing is wrong");
+    assert_eq!((end.report.refused, end.report.unanswered), (0, 0), "{end:?}");
+    other.stop_handle().stop().expect("the connection works");
+}
+
+#[test]
+fn a_command_that_the_firmware_lacks_ends_no_wait() {
+    let (arm, mut robot, mut other) = ready();
+    robot.start(&turn()).expect("within the limits");
+    arm.link(Port::Command).to_client().delay(Duration::from_millis(30));
+    let lacked = || (0..100).for_each(|_| assert_lacked(&mut other, "nobody_knows_it"));
+    let end = beside(arm.clock(), lacked, || robot.wait(LONG));
+    end.reached().expect("it ends there");
+    other.stop_handle().stop().expect("the connection works");
 }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use jaka_robot::motion::{JointMove, MoveL};
-use jaka_robot::{Cause, ErrorKind, Robot, RobotConfig, ServoConfig};
+use jaka_robot::{Cause, Robot, RobotConfig, ServoConfig};
 use jaka_sim::Habit;
 use jaka_tests::simulated::{beside, until};
 use jaka_tests::{Arm, Configured as _, LONG};
