@@ -138,7 +138,7 @@ impl Link {
     /// Keeps back the commands of other handles than this one, unless the reservation lets them pass. Stops of stop
     /// handles always pass.
     ///
-    /// The requests of all others, that is, neither of the handle nor of this owner, wait until fewer than 8 of them are
+    /// Requests of all others, that is, neither of the handle nor of this owner, wait until fewer than 8 of them are
     /// outstanding, since a controller processes them before set-points and stops.
     pub fn reserve(self: &Arc<Self>, by: Handle, owner: Owner, reservation: Reservation) -> Reserved {
         let mut state = self.state.lock();
