@@ -47,8 +47,8 @@ use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 use self::owners::Owners;
-pub use self::owners::{Owner, PostedOutcomes, PostedRequest};
-pub use self::sent::{OutOfSync, RequestId, Support};
+pub use self::owners::{PostedOutcomes, PostedRequest};
+pub use self::sent::{OutOfSync, Owner, RequestId, Support};
 use self::sent::{Recipient, SentRequest, SentRequests};
 pub use self::waiter::{Failure, ReadReply, TextOnly, TypedReply, Waiter};
 use crate::envelope::Envelope;
@@ -162,11 +162,11 @@ impl Exchange {
     ///
     /// Requests before one that is answered by name have lost their replies, and fail with [`Failure::Lost`].
     ///
-    /// A refusal without a name belongs to the only outstanding request. Of several, it belongs to one whose command the
-    /// controller may lack ([`Support::Uncertain`]) and has not answered by name on this connection. If there are more
-    /// of these than such refusals, because some were given up, the refusal is held, and the result is `None`: it is
-    /// told once each of them has one. A later reply with a name ends that: requests before it are lost, and those after
-    /// it go on waiting.
+    /// A refusal without a name belongs to the only outstanding request. Of several, it belongs to a candidate: one
+    /// whose command the controller may lack ([`Support::Uncertain`]) and has not answered by name on this connection.
+    /// If there are more candidates than such refusals, because some were given up, the refusal is held, and the result
+    /// is `None`. It is told once there is one for each candidate. A reply with a name ends that: as always, the
+    /// requests before its own are lost, and those after it go on waiting.
     ///
     /// # Errors
     /// The reply belongs to no outstanding request, or it is not certain to which.

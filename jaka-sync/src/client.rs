@@ -78,6 +78,10 @@ impl Client {
     /// its data. Each reply reaches the handle that sent the request. The first client owns the connection: dropping it
     /// closes the connection for all handles, whose calls then fail. Dropping another handle closes nothing.
     ///
+    /// Controllers refuse a command that they do not have without its name. So that such a refusal finds its call, one
+    /// command at a time is outstanding that the controller has not answered by name on this connection. Another one
+    /// waits within its deadline, and then fails with [`ErrorKind::NotSentInTime`]. A stop does not wait.
+    ///
     /// While a servo session, a stream or a trajectory of jaka-robot moves the arm, other handles can send only
     /// outputs, short queries and `stop_program` (4.23). Every other command fails with [`ErrorKind::KeptBack`]. Of
     /// outputs and queries, at most 8 are outstanding then, and the next one waits within its deadline.

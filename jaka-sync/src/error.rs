@@ -90,8 +90,9 @@ jaka_proto::worded! {
             /// Time for which the call waited.
             after: Duration,
         } => "no reply to `{command}` within {after:?}; it may have run",
-        /// The command could not be sent in time: the controller accepts no more data, or other threads were sending.
-        /// It did not run, and the connection can still be used.
+        /// The command could not be sent in time: the controller accepts no more data, other threads were sending, or
+        /// it had to wait for replies to other commands ([`Client::try_clone`](crate::Client::try_clone)). It did not
+        /// run, and the connection can still be used.
         NotSentInTime {
             /// `cmdName` of the command.
             command: String,

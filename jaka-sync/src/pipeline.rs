@@ -16,6 +16,9 @@ use crate::{Client, Error};
 /// The controller processes the commands in order and replies to each. The replies are counted; up to a window of
 /// commands is outstanding at once.
 ///
+/// The first command of a name goes out alone, unless this connection has seen one answered: a controller that does not
+/// have it refuses it without its name.
+///
 /// Counts and failures are those of this pipeline's commands alone, whatever other handles send. A refusal is noticed
 /// late: up to a window of later commands have been sent by then, and may have run. If a command must not be sent
 /// unless the previous one was accepted, call them one by one.

@@ -3,12 +3,7 @@
 use std::collections::{HashMap, VecDeque};
 use std::time::Instant;
 
-use super::{Failure, RequestId};
-
-/// Owner of requests, such as a pipeline, a servo session, or a handle with its calls. Whoever enters the requests gives
-/// the numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-pub struct Owner(pub u64);
+use super::{Failure, Owner, RequestId};
 
 /// A posted request that is outstanding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -10,13 +10,17 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::collections::{HashMap, VecDeque};
 
-use super::Owner;
 use crate::command::Role;
 use crate::envelope::Envelope;
 
 /// One request of an exchange. The default is one that no exchange gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct RequestId(u64);
+
+/// Owner of requests, such as a pipeline, a servo session, or a handle with its calls. Whoever enters the requests
+/// gives the numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct Owner(pub u64);
 
 /// Whether controllers may lack a command, and refuse it without its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -232,8 +236,7 @@ impl SentRequests {
         Ok(self.remove(completed))
     }
 
-    /// Removes a request, which has had its reply. Those before it may have theirs yet. Candidates are at the front as a
-    /// rule.
+    /// Removes a request, which has had its reply. Those before it may have theirs yet. It is at the front as a rule.
     fn remove(&mut self, id: RequestId) -> Option<SentRequest> {
         let request = self.place(id).and_then(|place| self.outstanding.remove(place))?;
         self.count_off(&request.command);

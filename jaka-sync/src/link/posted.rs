@@ -22,8 +22,8 @@ pub struct Answers {
 }
 
 impl Link {
-    /// Reads the bytes that have come, without waiting, and returns the outcomes of the posted commands of an owner, and
-    /// an error if the connection is broken. While another thread reads, only the bytes that it has read so far count.
+    /// Reads the bytes that have come, without waiting. Returns the outcomes of the posted commands of an owner, and an
+    /// error if the connection is broken. While another thread reads, only the bytes that it has read so far count.
     pub fn drain(&self, owner: Owner, command: &str) -> (Answers, Result<(), Error>) {
         let mut state = self.arrived();
         let outcomes = state.exchange.take_posted_outcomes(owner);

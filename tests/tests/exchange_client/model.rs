@@ -222,7 +222,8 @@ impl Model {
         Ok(Some((taker.number, taker.recipient)))
     }
 
-    /// A surplus refusal without a name, or what is mistaken because of a surplus reply, may be taken for that of each candidate.
+    /// A surplus refusal without a name, or one that comes after another mistake, may be taken for that of each
+    /// candidate.
     fn mistake_candidates(&mut self) {
         let names = self.outstanding.iter().map(|request| request.name);
         self.mistakable.extend(names.filter(|name| self.is_candidate(name)).collect::<Vec<_>>());
