@@ -144,8 +144,8 @@ impl Act {
         done.map_err(|error| Failure::explained(builtin::of_status(), error))
     }
 
-    /// Stops the arm, says so once the controller has accepted that, and waits until the arm is at rest, which is read by
-    /// the spec that `protocol` loads then.
+    /// Stops the arm, says so once the controller has accepted that, and waits until the arm is at rest. `protocol`
+    /// loads the spec of its joints, after the stop.
     pub(crate) fn stop(&self, protocol: impl FnOnce() -> Spec) -> Result<(), Failure> {
         let mut client = self.target.client().map_err(not_stopped)?;
         self.under_way.set(Stage::Sent("`stop_program`".to_owned()));
