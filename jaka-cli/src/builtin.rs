@@ -2,12 +2,19 @@
 
 use std::sync::{LazyLock, OnceLock};
 
+use jaka_dynamic::{Message, Translation};
 use jaka_spec::Spec;
 
 /// Returns the built-in spec.
 pub(crate) fn spec() -> &'static Spec {
     static BUILTIN: LazyLock<Spec> = LazyLock::new(|| jaka_spec::builtin().expect("the spec's own tests load it"));
     &BUILTIN
+}
+
+/// Whether packs leave the request and the reply of a command in their built-in form.
+pub(crate) fn is_unchanged(spec: &Spec, command: &str) -> bool {
+    let translation = Translation::new(self::spec(), spec);
+    translation.is_identity(Message::Request(command)) && translation.is_identity(Message::Reply(command))
 }
 
 /// Protocol of status packets, once it is set.

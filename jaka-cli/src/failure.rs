@@ -38,7 +38,7 @@ pub(crate) enum Failure {
         /// Failure of the stopped action, if there is one.
         ended: Option<Box<Failure>>,
         /// Failure of the wait for rest.
-        unrest: Error,
+        unrest: Box<Failure>,
     },
     /// A wait ended with its timeout.
     NotInTime(String),
@@ -196,13 +196,13 @@ pub(crate) fn not_taken(may_have_run: bool) -> &'static str {
 }
 
 /// Returns the text for an arm that was not seen at rest.
-pub(crate) fn unrest(error: &Error) -> String {
-    match error.kind() {
-        ErrorKind::NotAtRest { joint, speed, .. } => {
-            format!("the arm still moves: joint {joint} turns at {speed:.2} deg/s")
-        }
-        kind => format!("it is not known whether the arm is at rest: {}", fact(kind, error)),
+pub(crate) fn unrest(failure: &Failure) -> String {
+    if let Failure::Robot(error) = failure
+        && let ErrorKind::NotAtRest { joint, speed, .. } = error.kind()
+    {
+        return format!("the arm still moves: joint {joint} turns at {speed:.2} deg/s");
     }
+    format!("it is not known whether the arm is at rest: {}", chain(failure))
 }
 
 /// Returns the text of an error's kind, followed by the texts of its causes. The error's own text also has the

@@ -99,7 +99,7 @@ impl Cli {
         let Some(stop) = StopLine::of(line) else { return Err(error) };
         let mut cli = Self::try_parse_from(stop.words)?;
         if let Command::Stop(command) = &mut cli.command {
-            command.ignored = stop.ignored;
+            (command.ignored, command.packs) = (stop.ignored, stop.packs);
         }
         Ok(cli)
     }

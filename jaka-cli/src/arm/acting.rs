@@ -4,7 +4,6 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use jaka_dynamic::{Message, Translation};
 use jaka_motion::{Checker, Frames, Limits, Trajectory};
 use jaka_robot::kinematics::{GetJointPos, GetTcpPos};
 use jaka_robot::power::GetRobotState;
@@ -87,17 +86,13 @@ impl ActArgs {
 /// Returns an error if packs change a command that is sent here, or one that a robot sends meanwhile: these go out in
 /// their built-in form.
 fn must_be_as_built_in(spec: &Spec, intents: &[Intent<'_>]) -> Result<(), Failure> {
-    let translation = Translation::new(builtin::spec(), spec);
     let is_needed = |command: &&jaka_spec::Command| {
         command.effect == Effect::Power
             || matches!(command.role, Some(Role::Stop | Role::SetPoint | Role::ServoMode))
             || intents.iter().any(|intent| intent.name == command.wire)
             || QUERIES.contains(&&*command.wire)
     };
-    let is_changed = |command: &&jaka_spec::Command| {
-        !translation.is_identity(Message::Request(&command.wire))
-            || !translation.is_identity(Message::Reply(&command.wire))
-    };
+    let is_changed = |command: &&jaka_spec::Command| !builtin::is_unchanged(spec, &command.wire);
     match builtin::spec().commands().filter(is_needed).find(is_changed) {
         None => Ok(()),
         Some(command) => Err(Failure::Usage(format!(
@@ -149,8 +144,9 @@ impl Act {
         done.map_err(|error| Failure::explained(builtin::of_status(), error))
     }
 
-    /// Stops the arm, says so once the controller has accepted that, and waits until the arm is at rest.
-    pub(crate) fn stop(&self) -> Result<(), Failure> {
+    /// Stops the arm, says so once the controller has accepted that, and waits until the arm is at rest. `protocol`
+    /// loads the spec of its joints, after the stop.
+    pub(crate) fn stop(&self, protocol: impl FnOnce() -> Spec) -> Result<(), Failure> {
         let mut client = self.target.client().map_err(not_stopped)?;
         self.under_way.set(Stage::Sent("`stop_program`".to_owned()));
         let stopped = client.call(&StopProgram::new());
@@ -159,9 +155,9 @@ impl Act {
         // The reader of the output may be gone, which ends no wait.
         let said = output::line("the controller accepted the stop (`stop_program`)");
         let usual = client.reply_timeout();
-        let rest = rest::seek(usual, |timeout| wait_for_rest(&mut client, timeout));
+        let rest = rest::seek(&protocol(), usual, |timeout| wait_for_rest(&mut client, timeout));
         self.under_way.set(Stage::Answered);
-        rest.map_err(|unrest| Failure::NotAtRest { ended: None, unrest })?;
+        rest.map_err(|unrest| Failure::NotAtRest { ended: None, unrest: unrest.into() })?;
         said.and_then(|()| output::line(rest::SEEN))
     }
 
@@ -172,7 +168,7 @@ impl Act {
         self.under_way.set(Stage::Steps(robot.stop_handle()));
         let done = act(&mut robot);
         let done = done.map_err(|error| Failure::explained(builtin::of_status(), error));
-        let rest = rest::after_interrupt(&self.under_way, &mut robot);
+        let rest = rest::after_interrupt(&self.under_way, builtin::of_status(), &mut robot);
         rest::say(rest.as_ref());
         rest::required(done, rest)
     }

@@ -115,8 +115,8 @@ impl UnderWay {
         self.lock().is_stopped
     }
 
-    /// Ends the requests, unless Ctrl-C has stopped the arm since the last call: true then. The arm may still brake, and
-    /// a further Ctrl-C stops it again.
+    /// Ends the requests, unless Ctrl-C has stopped the arm since the last call: true then. The arm may still brake,
+    /// and a further Ctrl-C stops it again.
     pub(crate) fn finish(&self) -> bool {
         let mut progress = self.lock();
         let is_stopped = mem::take(&mut progress.is_stopped);

@@ -34,7 +34,7 @@ impl Form {
 pub(crate) struct Ended {
     pub(crate) end: End,
     /// Result of the wait for rest, if Ctrl-C has stopped the arm.
-    rest: Option<Result<(), Error>>,
+    rest: Option<Result<(), Failure>>,
 }
 
 impl Ended {
@@ -82,7 +82,7 @@ pub(crate) fn at_rest(
     {
         end.rest = seen(robot.wait_for_rest(rest::SOON).is_ok());
     }
-    let rest = rest::after_interrupt(under_way, robot);
+    let rest = rest::after_interrupt(under_way, spec, robot);
     let says_so = ended.as_ref().is_ok_and(says_rest);
     if !says_so {
         rest::say(rest.as_ref());

@@ -2,11 +2,16 @@
 
 mod line;
 
+use std::path::PathBuf;
+
 use clap::Args;
+use jaka_spec::Spec;
 
 use crate::arm::acting::Act;
+use crate::builtin;
 use crate::failure::{Failure, chain};
 use crate::target::RobotArgs;
+use crate::target::packs::SpecArgs;
 use crate::terminal::output;
 
 pub(crate) use self::line::StopLine;
@@ -25,6 +30,9 @@ pub(crate) struct Stop {
     /// Words of the line that do not concern the command.
     #[arg(skip)]
     pub(crate) ignored: Vec<String>,
+    /// Packs of the line, by which only the rest is read.
+    #[arg(skip)]
+    pub(crate) packs: Vec<PathBuf>,
     #[command(flatten)]
     robot: RobotArgs,
 }
@@ -41,10 +49,22 @@ impl Stop {
 
     fn stop(&self) -> Result<(), Failure> {
         let (act, unrecorded) = Act::at_once(&self.robot)?;
-        let stopped = act.stop();
+        let stopped = act.stop(|| self.spec());
         if let Some(failure) = unrecorded {
             output::warning(&format!("the stop was not recorded: {}", chain(&failure)));
         }
         stopped
+    }
+
+    /// Loads the spec with the packs of the robot, without those that cannot be read.
+    fn spec(&self) -> Spec {
+        let loaded = SpecArgs::of(self.packs.clone()).load(self.robot.lookup());
+        loaded.map_or_else(
+            |failure| {
+                output::warning(&format!("the rest of the arm is read without packs: {}", chain(&failure)));
+                builtin::spec().clone()
+            },
+            |protocol| protocol.spec,
+        )
     }
 }

@@ -49,8 +49,8 @@ pub(crate) const CONTROLLER_ERROR: u8 = 26;
 pub(crate) const DEADLINE: u8 = 27;
 /// Code for the loss of readable status packets; the arm may still move.
 pub(crate) const STATUS_LOST: u8 = 28;
-/// Code for a stop by Ctrl-C or `jaka stop` after which the arm may still move: the controller did not accept it, or its
-/// acceptance is unknown, or the arm was not seen at rest.
+/// Code for a stop by Ctrl-C or `jaka stop` after which the arm may still move: the controller did not accept it, or
+/// its acceptance is unknown, or the arm was not seen at rest.
 pub(crate) const NOT_STOPPED: u8 = 29;
 
 /// Code for a trajectory not followed to its end, for another reason: the message names it, and whether the arm is at

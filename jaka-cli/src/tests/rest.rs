@@ -1,5 +1,6 @@
 //! Rest of the arm after `jaka stop` and Ctrl-C, compared with the joints of the simulated controller.
 
+use std::fs;
 use std::time::Duration;
 
 use expect_test::expect;
@@ -9,7 +10,7 @@ use jaka_tests::simulated::until;
 use jaka_tests::{Arm, LONG};
 
 use super::follow::words;
-use super::{Run, interrupted, interrupted_and, jaka, jaka_beside};
+use super::{Run, interrupted, interrupted_and, jaka, jaka_beside, scratch};
 
 /// Greatest speed of a joint of an arm at rest, in deg/s.
 const REST_SPEED: f64 = 0.5;
@@ -192,6 +193,19 @@ fn a_stop_after_which_the_arm_cannot_be_observed_says_why() {
         assert!(run.code == 29 && !has_said_rest(&run), "{run:?}");
         assert!(run.err.contains(&format!("error: it is not known whether the arm is at rest: {why}")), "{run:?}");
     }
+}
+
+#[test]
+fn a_pack_by_which_the_joints_are_others_keeps_rest_from_being_said() {
+    let pack = scratch("radians.toml");
+    let text = "title = 'T'\n[[override]]\ntarget = 'JointPosition'\n[[override.form]]\nsince = '1.5'\nunit = 'rad'\n";
+    fs::write(&pack, text).expect("it can be written");
+    let arm = arm();
+    let run = jaka(&arm, ["stop", "--pack", &pack.display().to_string()]);
+    assert!(arm.requests()[0].contains("stop_program"));
+    assert!(run.code == 29 && !has_said_rest(&run) && run.err.contains("a pack changes `get_joint_pos`"), "{run:?}");
+    let run = jaka(&arm, ["stop", "--pack", "nowhere.toml"]);
+    assert!(run.code == 0 && has_said_rest(&run), "{run:?}");
 }
 
 #[test]

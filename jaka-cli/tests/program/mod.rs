@@ -73,7 +73,7 @@ pub(crate) fn wait_for_motion(controller: &Controller) {
     common::wait_until("a motion comes", || controller.requests().iter().any(|request| request.contains("joint_move")));
 }
 
-/// Text of a run that has stopped the arm, without the lines that a slow machine causes: no reply to the stop yet, or no
+/// Text of a run that has stopped the arm, without the lines that a slow machine causes: no reply to the stop yet, no
 /// rest yet.
 pub(crate) fn without_late_answer(run: &Run) -> String {
     let late =

@@ -13,6 +13,7 @@ const NAMED: &[(&str, &str, &str)] = &[
         "get_joint_pos get_robot_state get_tcp_pos is_in_servomove",
         "the queries that a robot sends by itself, which a pack must not change",
     ),
+    ("jaka-cli/src/arm/rest.rs", "get_joint_pos", "the query for rest, which a pack must not change"),
     ("jaka-cli/src/commands/jitter/report.rs", "get_joint_pos", "the query that it has sent, for the report"),
     ("jaka-cli/src/commands/probe/finding.rs", "get_version", "the reply that names the firmware"),
     ("jaka-cli/src/commands/up.rs", "power_on", "the step that the progress is about"),

@@ -2,6 +2,7 @@
 //! the command of the last line, and leaves its options.
 
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::ptr;
 
 use clap::{Arg, Command, CommandFactory as _};
@@ -19,6 +20,8 @@ pub(crate) struct StopLine {
     pub(crate) words: Vec<OsString>,
     /// Unknown words that are ignored, because `--robot` names the robot.
     pub(crate) ignored: Vec<String>,
+    /// Packs of other commands.
+    pub(crate) packs: Vec<PathBuf>,
 }
 
 /// Beginning of the ids of options that are ignored.
@@ -45,12 +48,14 @@ impl StopLine {
         let is_own = |option: &&GivenOption<'_>| !option.arg.get_id().as_str().starts_with(IGNORED);
         let own = read.options.iter().filter(is_own).filter_map(word);
         let mut own: Vec<_> = [program.clone(), "stop".into()].into_iter().chain(own).collect();
+        let packs = read.values(&format!("{IGNORED}packs")).map(PathBuf::from).collect();
         let strays = strays(read).into_iter().map(|place| &words[place]);
         if is_explicit(read) {
-            return Self { words: own, ignored: strays.map(|word| word.to_string_lossy().into_owned()).collect() };
+            let ignored = strays.map(|word| word.to_string_lossy().into_owned()).collect();
+            return Self { words: own, ignored, packs };
         }
         own.extend(strays.cloned());
-        Self { words: own, ignored: Vec::new() }
+        Self { words: own, ignored: Vec::new(), packs }
     }
 }
 
@@ -108,7 +113,7 @@ mod tests {
     /// Returns the words that concern the stop, and those that are ignored.
     fn read(line: &str) -> (String, String) {
         let line: Vec<_> = ["jaka"].into_iter().chain(line.split(' ')).map(OsString::from).collect();
-        let StopLine { words, ignored } = StopLine::of(&line).expect("it is a stop");
+        let StopLine { words, ignored, .. } = StopLine::of(&line).expect("it is a stop");
         let words: Vec<_> = words.iter().map(|word| word.to_str().expect("it was text")).collect();
         (words.join(" "), ignored.join(" "))
     }
@@ -163,7 +168,7 @@ mod tests {
                 (format!("stop {words} -r 10.0.0.1"), ROBOT),
                 (format!("stop --robot 10.0.0.1 {words}"), ROBOT),
             ] {
-                let StopLine { words: found, ignored } = read(line);
+                let StopLine { words: found, ignored, .. } = read(line);
                 assert!(found == own(expected) && ignored.is_empty(), "{words}: {found:?}, {ignored:?}");
             }
         }
