@@ -211,8 +211,8 @@ impl Arm {
         self.link().lead(self.client.handle(), owner).map_err(|by| self.attach(kept_back(by)))
     }
 
-    /// Waits until the arm is at rest, by the controller's answers, if it has been stopped, or led by a session, and was
-    /// not seen at rest since. Fails if it does not come to rest within `timeout`, and 2 s.
+    /// Waits until an arm is at rest that was stopped, or led by a session, and was not seen at rest since then. Fails
+    /// if it does not come to rest within `timeout`, and 2 s.
     pub(crate) fn rest_after_stop(&mut self, timeout: Duration) -> Result<(), Error> {
         if !self.stops().needs_rest() {
             return Ok(());

@@ -106,8 +106,7 @@ impl<S: MotionStatus> Robot<S> {
     }
 }
 
-/// As through [`Robot::client`]: motions are neither refused after a stop nor waited for. For those, see
-/// [`Robot::run`].
+/// As through [`Robot::client`]: motions are not waited for. For those, see [`Robot::run`].
 impl<S: MotionStatus> Call for Robot<S> {
     fn call<C: Command>(&mut self, command: &C) -> Result<C::Reply, jaka_sync::Error> {
         self.client().call(command)
@@ -363,8 +362,9 @@ impl<S: MotionStatus> Robot<S> {
 
     /// The client, for all other commands.
     ///
-    /// Motions through it are neither refused after a stop, nor awaited, nor checked against limits. With limits, the
-    /// end of a queue of motions is unknown after a call of this: wait for its end before the next motion.
+    /// Motions through it are neither awaited nor checked against limits. After a stop, typed ones are refused as the
+    /// robot's own are ([`KeptBack`](jaka_sync::ErrorKind::KeptBack)), raw ones are not. With limits, the end of a
+    /// queue of motions is unknown after a call of this: wait for its end before the next motion.
     #[doc(alias = "get_joint_pos")]
     #[doc(alias = "get_tcp_pos")]
     #[doc(alias = "set_digital_output")]

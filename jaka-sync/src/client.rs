@@ -83,8 +83,10 @@ impl Client {
     /// waits within its deadline, and then fails with [`ErrorKind::NotSentInTime`]. A stop does not wait.
     ///
     /// While a servo session, a stream or a trajectory of jaka-robot moves the arm, other handles can send only
-    /// outputs, short queries and `stop_program` (4.23). Every other command fails with [`ErrorKind::KeptBack`]. Of
-    /// outputs and queries, at most 8 are outstanding then, and the next one waits within its deadline.
+    /// outputs, short queries, the end of servo mode and stops. Every other command fails with
+    /// [`ErrorKind::KeptBack`]. Of outputs and queries, at most 8 are outstanding then, and the next one waits within
+    /// its deadline. After a stop by any handle of a robot's connection, no typed motion goes out:
+    /// [`StopHandle::stop`] says for how long.
     ///
     /// ```no_run
     /// use jaka_sync::Client;

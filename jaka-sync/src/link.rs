@@ -43,8 +43,8 @@ use crate::{Config, Disconnect, Error, ErrorKind};
 /// # Order of locks
 /// 1. `state`. It is held while requests are entered and replies are attributed, never while a socket may block a
 ///    thread. The [`Gate`] runs under it: it may take 2, and must not use the connection.
-/// 2. The state of a monitor's board (`Board` in `monitor.rs`), or a lock of the layer above, such as jaka-robot's
-///    state of an arm, never two at once. A thread that holds one of these must not take 1.
+/// 2. The [`Stops`], the state of a monitor's board (`Board` in `monitor.rs`), or a lock of the layer above, such as
+///    jaka-robot's state of an arm, never two at once. A thread that holds one of these must not take 1.
 /// 3. Locks under which no lock above is taken: the queue of a subscription (`monitor/subscription.rs`); the
 ///    recorder's, which are the state of a connection (`recorder/tap.rs`), or its sampler (`recorder.rs`) and then the
 ///    queue (`recorder/queue.rs`); and `firmware`.
@@ -221,7 +221,7 @@ impl Link {
             return (outgoing, None);
         }
         let stop = self.begin_stop(StopKind::Program);
-        (outgoing.of_stop(&stop), Some(stop))
+        (outgoing.of_stop(stop.number(), self.clock.stopwatch()), Some(stop))
     }
 
     /// Begins a stop, and waits while a session brakes the arm.

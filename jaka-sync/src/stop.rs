@@ -127,7 +127,8 @@ impl StopHandle {
     }
 
     fn write_within(&self, stop: &UnderWay, timeout: Duration) -> Result<Sent<'static>, Error> {
-        let outgoing = Outgoing::of(&self.link.clock, StopProgram::INFO, timeout).of_stop(stop);
+        let clock = &self.link.clock;
+        let outgoing = Outgoing::of(clock, StopProgram::INFO, timeout).of_stop(stop.number(), clock.stopwatch());
         self.link.send(&outgoing, &mut |out: &mut _| StopProgram::new().write_request(out))
     }
 }

@@ -204,7 +204,7 @@ impl Position {
         }
     }
 
-    /// Place of the arm by answers after three that show rest over at least this time; `None` if the controller does not
+    /// Place of the arm after three answers that show rest over at least this time; `None` if the controller does not
     /// report it, or the arm moves.
     pub(crate) fn place_settled(
         &mut self,

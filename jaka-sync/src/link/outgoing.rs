@@ -11,7 +11,6 @@ use jaka_proto::wire::Writer;
 use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion, Role};
 
 use super::not_sent_in_time;
-use super::stops::UnderWay;
 use crate::{Error, ErrorKind};
 
 /// Handle of a connection: its first client, or one of [`Client::try_clone`](crate::Client::try_clone).
@@ -169,9 +168,9 @@ impl<'o> Outgoing<'o> {
         Self { role, ..self }
     }
 
-    /// Sets the stop that the command sends. Its time begins now.
-    pub(crate) fn of_stop(self, stop: &UnderWay) -> Self {
-        Self { stop: Some(stop.number()), since: stop.clock().stopwatch(), ..self }
+    /// Sets the number of the stop that the command sends, and the start of its timeout.
+    pub(crate) fn of_stop(self, number: u64, since: Stopwatch) -> Self {
+        Self { stop: Some(number), since, ..self }
     }
 
     /// True for a stop, which is sent before all other commands that wait.

@@ -436,10 +436,6 @@ impl UnderWay {
         self.number
     }
 
-    pub(super) fn clock(&self) -> &Clock {
-        self.stops.clock()
-    }
-
     /// Waits while a session brakes, for 3 s at most. From here on no set-point goes out.
     pub(crate) fn wait_until_braked(&self) {
         match self.kind {

@@ -103,7 +103,7 @@ fn what_is_said_about_a_command() {
                 "[command.motion]\npath = \"arc\"\ntarget = \"end_pose\"\nmode = { field = \"mode\", absolute = 0 }\nthrough = \"mid_pose\"\nspeed = \"speed\"\nacceleration = \"acceleration\"\ntolerance = \"tolerance\"\nunknown_with = [\"circle_count\", \"circle_mode\"]\n",
                 "",
             ),
-            ("motion/jog", "role = \"stop\"\n", ""),
+            ("motion/jog", "role = \"stop_axis\"\n", ""),
             ("program/play_program", "effect = \"motion\"\n", "effect = \"motion\"\nrole = \"resume\"\n"),
             ("frames/set_tool_id", "changes = [\"tool\"]\n", ""),
             ("motion/moveL", "deadline_ms = 60000\n", "deadline_ms = 1500\nends_session = true\n"),

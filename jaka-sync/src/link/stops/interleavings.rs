@@ -1,5 +1,5 @@
-//! Interleavings of the threads that share the stops of a connection: each stop that waits is woken, and no motion passes
-//! that must not.
+//! Interleavings of the threads that share the stops of a connection: each stop that waits is woken, and no motion
+//! passes that must not.
 //!
 //! `.ci/interleavings` runs these tests. Under shuttle a wait never times out, so a wake-up that is lost is a deadlock,
 //! which it reports with the schedule that leads to it.

@@ -3,7 +3,6 @@
 use std::io::{Read, Write};
 use std::sync::Arc;
 
-use jaka_proto::Role;
 use jaka_proto::exchange::TextOnly;
 
 use super::*;
