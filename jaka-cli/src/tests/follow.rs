@@ -59,14 +59,14 @@ fn a_trajectory_that_is_completed_is_reported() {
             "phase": "ended",
             "report": {
               "absent": [],
-              "accepted": 259,
+              "accepted": 258,
               "cycles": 252,
               "frames": {
                 "tool": 0,
                 "user": 0
               },
               "gaps": 0,
-              "landing_cycles": 7,
+              "landing_cycles": 6,
               "late_cycles": 0,
               "lateness": {
                 "max_s": 0.0,
@@ -82,7 +82,7 @@ fn a_trajectory_that_is_completed_is_reported() {
                 "duration_s": 2.0,
                 "has_left_curve": false,
                 "lag": {
-                  "delay_s": 0.007,
+                  "delay_s": 0.011,
                   "packets": 68,
                   "residual_deg": null,
                   "worst_deg": null
@@ -150,7 +150,7 @@ fn an_interrupt_stops_the_arm_on_the_trajectory() {
     });
     expect![[r"
         note: interrupted: the arm stops on its trajectory; interrupt again to send `stop_program`, too
-        error: the motion was stopped before its target (7.816 s of 60.000 s of the trajectory), and the arm is at rest
+        error: the motion was stopped before its target (7.808 s of 60.000 s of the trajectory), and the arm is at rest
         hint: look at the arm before it moves again
         exit code 22
     "]]
