@@ -159,7 +159,7 @@ fn exit_code(error: &Error) -> u8 {
             ErrorKind::Stopped { accepted, .. } if accepted.is_empty() => INTERRUPTED,
             ErrorKind::Stopped { .. } => MAY_HAVE_RUN,
             ErrorKind::Connection(_) => LOST,
-            ErrorKind::NotSent { because, .. } if because.is_disconnected() => LOST,
+            ErrorKind::NotSent { .. } if error.is_disconnected() => LOST,
             // Nothing was sent, since `may_have_run` is false.
             _ => NOT_MOVED,
         }

@@ -77,8 +77,7 @@ const EVENTS: [(Event, Cause, &[Way]); 19] = [
     (Event::Unreadable, Cause::StatusLost, &[]),
     // A hand that leads the arm may press the button that is waited for.
     (Event::DragMode, Cause::DragMode, &[Way::Wait]),
-    // It does not end servo mode, and nothing moves that could be seen to end.
-    (Event::ForeignStop, Cause::Stopped, &[Way::Session, Way::Stream, Way::Trajectory, Way::Wait]),
+    (Event::ForeignStop, Cause::Stopped, &[]),
     (Event::OwnStop, Cause::Stopped, &[]),
     // No set-points are sent.
     (Event::RefusedSetPoint, Cause::Refused, &[Way::Run, Way::GuardedRun, Way::Wait]),
