@@ -105,14 +105,11 @@ impl StopHandle {
         }
         let stop = self.link.begin_stop(StopKind::OfMotion);
         // If a logger panics, another thread does the rest.
-        let sent = catch_unwind(AssertUnwindSafe(|| self.write_within(&stop, AT_ONCE)));
-        match sent {
-            Ok(Ok(sent)) => Some(self.written(sent, stop)),
-            Ok(Err(_)) | Err(_) => {
-                stop.take_back();
-                None
-            }
-        }
+        let Ok(Ok(sent)) = catch_unwind(AssertUnwindSafe(|| self.write_within(&stop, AT_ONCE))) else {
+            stop.take_back();
+            return None;
+        };
+        Some(self.written(sent, stop))
     }
 
     /// Waits until the controller has accepted a stop that was written.

@@ -420,9 +420,9 @@ mod tests {
         for later in [Cause::StatusLost, Cause::DragMode, Cause::ProtectiveStop] {
             assert_eq!(latched(later), Some(Cause::EmergencyStop));
         }
-        assert!(state.may_send(Sending::Braking).is_err() && state.may_send(Sending::Holding).is_err());
+        assert!(state.packets_permit(Sending::Braking).is_err() && state.packets_permit(Sending::Holding).is_err());
         state.acknowledge();
         assert_eq!(latched(Cause::DragMode), Some(Cause::DragMode));
-        assert!(state.may_send(Sending::Braking).is_ok() && state.may_send(Sending::Holding).is_err());
+        assert!(state.packets_permit(Sending::Braking).is_ok() && state.packets_permit(Sending::Holding).is_err());
     }
 }
