@@ -144,11 +144,11 @@ impl Arm {
         client: Client,
         monitor: &Arc<Monitor<S>>,
         needs_status: bool,
-    ) -> Result<Self, Client> {
+    ) -> Result<Self, Box<Client>> {
         let stops = &client.link().stops;
         let state = ArmState::new(monitor, stops, needs_status);
         if !stops.attach(Attachment(Arc::downgrade(&state))) {
-            return Err(client);
+            return Err(Box::new(client));
         }
         let attached = Some(Attached(Arc::clone(stops)));
         let position = Position::new(&client);

@@ -183,20 +183,20 @@ fn switch<C: Command>(
     pause: Pause,
 ) -> Result<(), Error> {
     let since = arm.statistics().packets;
-    let stops = Arc::clone(arm.stops());
+    let held_by = Arc::clone(arm.stops());
     if steps.left().is_zero() {
         return Err(not_in_time(arm, steps.timeout, since));
     }
-    steps.check(&stops, C::INFO.name)?;
+    steps.check(&held_by, C::INFO.name)?;
     let sent = arm.clock().stopwatch();
     steps.tell(PowerStep { command: C::INFO.name, took: None });
-    let gate = || steps.check(&stops, C::INFO.name);
+    let gate = || steps.check(&held_by, C::INFO.name);
     let accepted = arm.client().call_through(Some(&gate), command, steps.left());
     accepted.map_err(|error| arm.explained(error.into(), steps.left()))?;
     steps.accepted.push(steps.rest.remove(0).to_owned());
     while !is_done(&arm.queries().call_within(&GetRobotState::new(), steps.left())?) {
         pause(arm, QUERY_PERIOD.min(steps.left()))?;
-        steps.check_stops(&stops)?;
+        steps.check_stops(&held_by)?;
         if steps.left().is_zero() {
             return Err(not_in_time(arm, steps.timeout, since));
         }

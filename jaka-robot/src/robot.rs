@@ -34,7 +34,7 @@ use crate::{Stream, StreamConfig};
 #[non_exhaustive]
 pub struct HasRobot {
     /// The client, whose connection stays open.
-    pub client: Client,
+    pub client: Box<Client>,
 }
 
 impl Display for HasRobot {

@@ -46,7 +46,7 @@ impl<'r> ServoSession<'r> {
         let not_sent = |error: Error| error.before(SetServoMode::INFO.name);
         rest(arm, (has_motions, settling), config.enter_timeout)?;
         let owner = arm.link().new_owner();
-        let lead = Some(arm.lead(owner).map_err(not_sent)?);
+        let leading = Some(arm.lead(owner).map_err(not_sent)?);
         let (frame_changes, under_way, since_packet) =
             (arm.link().frame_changes(), arm.under_way(), arm.state.now_on());
         let servo_mode = arm.queries().call(&IsInServomove::new()).map_err(|error| not_sent(error.into()))?;
@@ -69,7 +69,7 @@ impl<'r> ServoSession<'r> {
             arm,
             limits,
             owner,
-            lead,
+            lead: leading,
             config: config.clone(),
             rates,
             course: Course::unknown(),

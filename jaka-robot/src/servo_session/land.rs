@@ -139,11 +139,11 @@ impl ServoSession<'_> {
             self.expect_set_point(true);
         }
         // The last step takes its period, too: a stop that waits goes out at rest.
-        if let (Some(hold), Some(_)) = (self.course.hold(), self.course.step()) {
-            if self.may_brake() {
-                let gate = self.arm.gate(Sending::Braking);
-                self.send_landing(hold, &gate, refused)?;
-            }
+        if let (Some(hold), Some(_)) = (self.course.hold(), self.course.step())
+            && self.may_brake()
+        {
+            let gate = self.arm.gate(Sending::Braking);
+            self.send_landing(hold, &gate, refused)?;
         }
         Ok(())
     }

@@ -384,10 +384,10 @@ impl ServoSession<'_> {
 
     /// Ends the lead. Where the arm was not seen at rest, other commands are kept back until it is.
     pub(super) fn end_lead(&mut self) {
-        if let Some(lead) = self.lead.take() {
-            if self.rest.was_seen() {
-                lead.end_at_rest();
-            }
+        if let Some(lead) = self.lead.take()
+            && self.rest.was_seen()
+        {
+            lead.end_at_rest();
         }
     }
 
