@@ -46,6 +46,9 @@ pub fn scale(number: u32) -> f64 {
 }
 
 /// Times to make the trajectory, to begin it and to follow it.
+///
+/// # Panics
+/// The follower does not take the period of servo mode.
 pub fn report() -> String {
     let mut out = format!("a trajectory of {WAY_POINTS} way-points\n");
     let checker = checker();
