@@ -50,7 +50,7 @@ pub mod shapes {
     impl proto::Command for Stop {
         type Reply = ();
         const INFO: &'static proto::CommandInfo = &proto::__command_info!(
-            "stop", "{\"cmdName\":\"stop\"", "", Motion,
+            "stop", "{\"cmdName\":\"stop\"", "", Motion, role : Some(proto::Role::Start),
         );
     }
     /// Moves all joints to a position. [`stop`](type@Stop) ends the motion.
@@ -297,8 +297,9 @@ pub mod shapes {
     impl proto::Command for MoveTo {
         type Reply = ();
         const INFO: &'static proto::CommandInfo = &proto::__command_info!(
-            "moveTo", "{\"cmdName\":\"moveTo\"", "4.7", Motion, requires : &
-            [proto::Requirement::Enabled, proto::Requirement::NotServoMode], deadline :
+            "moveTo", "{\"cmdName\":\"moveTo\"", "4.7", Motion, role :
+            Some(proto::Role::Start), requires : & [proto::Requirement::Enabled,
+            proto::Requirement::NotServoMode], deadline :
             Some(::core::time::Duration::from_millis(60000u64)), firmware :
             proto::FirmwareRange::ALL.since([1, 5]),
         );
