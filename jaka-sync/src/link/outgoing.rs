@@ -178,7 +178,7 @@ impl<'o> Outgoing<'o> {
         self.role == Some(Role::Stop)
     }
 
-    /// Whether the controller may lack the command.
+    /// Support of the command by controllers.
     pub(super) fn support(&self) -> Support {
         Support::of(self.role)
     }

@@ -199,6 +199,8 @@ fn motion(arm: &mut Arm, session: &mut Session) {
     let target = [angle, 90.0, 90.0, 90.0, -90.0, f64::from(arm.serial()) / 1000.0].into();
     let command = JointMove::absolute(target, 170.0).acceleration(700.0);
     let result = session.robot.run(&command, MOTION);
+    // After a stop the robot first asks whether the arm is at rest.
+    session.connection.note_repeated(text(&GetJointPos::new()), Fate::Perhaps, usize::MAX);
     arm.note(session, text(&command), &result);
     match result {
         Ok(end) => {

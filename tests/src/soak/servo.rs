@@ -127,7 +127,11 @@ fn leaving(fate: Fate) -> [Sent; 3] {
 fn not_entered(error: &Error) -> Vec<Sent> {
     // These are asked for before servo mode and in it.
     let is_asked_before = |command: &str| [GetJointPos::INFO.name, IsInServomove::INFO.name].contains(&command);
-    let command = match error.kind() {
+    let kind = match error.kind() {
+        ErrorKind::NotSent { because, .. } => because.kind(),
+        kind => kind,
+    };
+    let command = match kind {
         ErrorKind::Connection(error) => unanswered(error),
         ErrorKind::Refused { refusal, .. } => Some(&*refusal.command),
         _ => None,

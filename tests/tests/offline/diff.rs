@@ -124,7 +124,7 @@ fn what_is_said_about_a_command() {
             ("payload", r#"title = "Payload""#, r#"title = "The payload""#),
             ("types", "Angles are degrees", "Angles are in degrees"),
         ],
-        &expect![[r"
+        &expect![[r#"
             major: command `get_extio_status`: bare reply removed, was `extio_status`
             major: command `movc`: name changed from `move_c` to `move_arc`
             major: command `movc`: motion removed, was `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance; on an unknown path with circle_count or circle_mode`
@@ -132,7 +132,7 @@ fn what_is_said_about_a_command() {
             major: command `shutdown`: the reply is certain now, and an error if it is missing
             minor: command `clear_error`: effect changed from `power` to `setting`
             minor: command `end_move`: deadline removed, was `60000 ms`
-            minor: command `jog`, variant `0`: role removed, was `stop`
+            minor: command `jog`, variant `0`: role removed, was `stop_axis`
             minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration; on an unknown path with tolerance` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; on an unknown path with tolerance`
             minor: command `moveL`: deadline changed from `60000 ms` to `1500 ms`
             minor: command `play_program`: role added: `resume`
@@ -151,13 +151,13 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "]],
-        &expect![[r"
+        "#]],
+        &expect![[r#"
             major: command `movc`: name changed from `move_arc` to `move_c`
             minor: command `clear_error`: effect changed from `setting` to `power`
             minor: command `end_move`: deadline added: `60000 ms`
             minor: command `get_extio_status`: bare reply added: `extio_status`
-            minor: command `jog`, variant `0`: role added: `stop`
+            minor: command `jog`, variant `0`: role added: `stop_axis`
             minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; on an unknown path with tolerance` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration; on an unknown path with tolerance`
             minor: command `movc`: motion added: `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance; on an unknown path with circle_count or circle_mode`
             minor: command `moveL`: deadline changed from `1500 ms` to `60000 ms`
@@ -179,7 +179,7 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "]],
+        "#]],
     );
 }
 

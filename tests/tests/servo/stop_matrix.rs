@@ -122,7 +122,7 @@ const GROWTH: f64 = 0.02;
 const LAST_STEP: f64 = 5700.0 * PERIOD * PERIOD * PERIOD / 6.0;
 /// Travel in 100 ms below which the arm rests, in degrees: 0.5 deg/s.
 const AT_REST: f64 = 0.05;
-/// The same for an arm that lags by 100 ms behind the commanded positions that the controller answers.
+/// Such travel of an arm that lags by 100 ms behind the commanded positions, which the controller answers.
 const LAGS_AT_REST: f64 = 0.3;
 
 fn limits() -> Limits {
