@@ -22,7 +22,7 @@ pub struct RequestId(u64);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Owner(pub u64);
 
-/// Whether controllers may lack a command, and refuse it without its name.
+/// Support of a command by controllers, which refuse a command that they lack without its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Support {
     /// Every controller has the command.

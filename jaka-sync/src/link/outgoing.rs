@@ -181,7 +181,7 @@ impl<'o> Outgoing<'o> {
         self.right == Right::Stop || self.info.is_some_and(|info| info.role == Some(Role::Stop))
     }
 
-    /// Whether the controller may lack the command.
+    /// Support of the command by controllers.
     pub(super) fn support(&self) -> Support {
         if self.is_stop() { Support::Everywhere } else { Support::of(self.info) }
     }

@@ -8,9 +8,9 @@ use std::net::{TcpListener, TcpStream};
 use std::thread;
 use std::time::Instant;
 
-use jaka_proto::Effect;
 use jaka_proto::exchange::Owner;
 use jaka_proto::wire::Writer;
+use jaka_proto::{Effect, Role};
 use socket2::SockRef;
 
 use super::state::Mode;
@@ -47,8 +47,12 @@ fn connection(mode: Mode) -> (Link, TcpStream) {
     (link, server)
 }
 
-/// A command that the spec does not have.
-static X: CommandInfo = CommandInfo::usual("x", "", "", Effect::Motion);
+/// A command that the spec does not have. Every controller has set-points: none waits until one is answered.
+static X: CommandInfo = {
+    let mut info = CommandInfo::usual("x", "", "", Effect::Motion);
+    info.role = Some(Role::SetPoint);
+    info
+};
 
 /// Owner of the posted commands.
 const OWNER: Owner = Owner(1);
@@ -91,5 +95,5 @@ fn send_named(
     timeout: Duration,
     write: &mut dyn FnMut(&mut Writer),
 ) -> Result<Sent<'static>, Error> {
-    link.send(&Outgoing::named(&link.clock, name, Cow::Borrowed(name), timeout), write)
+    link.send(&Outgoing { info: Some(&X), ..Outgoing::named(&link.clock, name, Cow::Borrowed(name), timeout) }, write)
 }

@@ -22,7 +22,7 @@ pub(crate) const TUPLE: &str = "get_extio_status";
 /// Names of commands. Few, so that equal ones meet.
 pub(crate) const NAMES: [&str; 6] = ["query", PAUSE, STOP, TUPLE, "second", "third"];
 
-/// Whether a controller may lack a command.
+/// Support of a command by controllers.
 pub(crate) fn support(name: &str) -> Support {
     if name == STOP { Support::Everywhere } else { Support::Uncertain }
 }
