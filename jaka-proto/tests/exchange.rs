@@ -1,5 +1,6 @@
 //! The exchange by examples. Random runs are in `tests/tests/exchange_client/`, against a model.
 
+use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 use jaka_proto::Request;
@@ -382,6 +383,38 @@ fn each_owner_has_its_own_counts_and_outcomes() {
     assert_eq!(answer(&mut exchange, "b").expect("it is outstanding").delivery, Delivery::Discarded);
     exchange.give_up(request).expect("nothing has come");
     assert_eq!(exchange.outstanding_of(|owner| owner == other), 2);
+}
+
+/// Number of owners of which something is kept.
+fn owners(exchange: &Exchange) -> usize {
+    let count = Cell::new(0);
+    exchange.outstanding_of(|_| {
+        count.set(count.get() + 1);
+        false
+    });
+    count.get()
+}
+
+#[test]
+fn nothing_is_kept_of_an_owner_that_has_ended_and_has_its_replies() {
+    let mut exchange = Exchange::default();
+    for number in 0..100 {
+        let (owner, caller) = (Owner(2 * number), Owner(2 * number + 1));
+        exchange.send(caller, Support::Everywhere, "a".into());
+        exchange.post(owner, Support::Everywhere, "a", Instant::now());
+        answer(&mut exchange, "a").expect("it is outstanding");
+        assert_eq!(owners(&exchange), 1, "the caller has its reply");
+        if number % 2 == 0 {
+            answer(&mut exchange, "a").expect("it is outstanding");
+            assert_eq!(owners(&exchange), 1, "it may post more");
+            assert_eq!(exchange.abandon_posted(owner).1.accepted, 1);
+        } else {
+            assert_eq!(exchange.abandon_posted(owner).0, 1);
+            assert_eq!(owners(&exchange), 1, "a reply is outstanding");
+            answer(&mut exchange, "a").expect("it is outstanding");
+        }
+        assert_eq!(owners(&exchange), 0);
+    }
 }
 
 #[test]

@@ -47,7 +47,7 @@ fn connection(mode: Mode) -> (Link, TcpStream) {
     (link, server)
 }
 
-/// A command that the spec does not have. Every controller has set-points, so that several may be outstanding.
+/// A command that the spec does not have. Every controller has set-points: none waits until one is answered.
 static X: CommandInfo = {
     let mut info = CommandInfo::usual("x", "", "", Effect::Motion);
     info.role = Some(Role::SetPoint);
