@@ -115,9 +115,8 @@ impl<'c> Pipeline<'c> {
 
     /// Waits until there is room for at least one command, and returns the number of commands that fit.
     fn wait_for_room(&mut self, command: &str) -> Result<usize, Error> {
-        if self.outstanding >= self.window {
-            self.wait(self.window / 2)?;
-        }
+        // Also takes the outcomes that other threads have read.
+        self.wait(if self.outstanding >= self.window { self.window / 2 } else { self.window })?;
         if let Some(error) = self.failed.pop_front() {
             return Err(error);
         }

@@ -3,6 +3,7 @@
 mod command_wire;
 mod forwarded;
 mod set_points;
+mod tagged_wire;
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Mutex;
@@ -14,6 +15,7 @@ use jaka_sim::{Controller, SimulatedClock};
 
 pub use self::command_wire::{CommandWire, TimedMessage};
 pub use self::set_points::{SetPoints, SetPointsSeen};
+pub use self::tagged_wire::{Exchanged, TaggedWire};
 use crate::LONG;
 
 /// The simulated clock of a controller.

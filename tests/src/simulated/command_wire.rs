@@ -49,7 +49,7 @@ impl CommandWire {
 }
 
 /// Keeps the messages of one direction.
-fn keeping(clock: &SimulatedClock, kept: &Arc<Mutex<Vec<TimedMessage>>>) -> impl FnMut(&[u8]) + Send + use<> {
+fn keeping(clock: &SimulatedClock, kept: &Arc<Mutex<Vec<TimedMessage>>>) -> impl FnMut(&mut Vec<u8>) + Send + use<> {
     let (clock, kept, mut text) = (clock.clone(), Arc::clone(kept), Vec::new());
     move |bytes| {
         text.extend_from_slice(bytes);

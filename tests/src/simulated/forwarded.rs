@@ -9,15 +9,15 @@ use jaka_sim::SimulatedClock;
 use jaka_sim::jaka_clock::Stream;
 
 /// Listens for one client of a controller, in the time of a clock, and shows the bytes of both directions before they
-/// are passed on. Returns the address to which the client connects.
+/// are passed on; who sees them may change them. Returns the address to which the client connects.
 ///
 /// # Panics
 /// Loopback has no free port.
 pub(super) fn forwarded(
     clock: &SimulatedClock,
     controller: SocketAddr,
-    see_requests: impl FnMut(&[u8]) + Send + 'static,
-    see_replies: impl FnMut(&[u8]) + Send + 'static,
+    see_requests: impl FnMut(&mut Vec<u8>) + Send + 'static,
+    see_replies: impl FnMut(&mut Vec<u8>) + Send + 'static,
 ) -> SocketAddr {
     let listener = clock.bind((Ipv4Addr::LOCALHOST, 0).into()).expect("loopback has free ports");
     let (address, clock) = (listener.local_addr(), clock.clone());
@@ -33,11 +33,12 @@ pub(super) fn forwarded(
 }
 
 /// Passes bytes on to the end of the connection.
-fn pass(mut from: &Stream, mut to: &Stream, mut see: impl FnMut(&[u8])) {
+fn pass(mut from: &Stream, mut to: &Stream, mut see: impl FnMut(&mut Vec<u8>)) {
     let mut space = vec![0; 1 << 16];
     while let Ok(count @ 1..) = from.read(&mut space) {
-        see(&space[..count]);
-        if to.write_all(&space[..count]).is_err() {
+        let mut bytes = space[..count].to_vec();
+        see(&mut bytes);
+        if to.write_all(&bytes).is_err() {
             return;
         }
     }

@@ -44,7 +44,7 @@ impl SetPoints {
     ) -> Self {
         let (now, seen) = (clock.clone(), Arc::<Mutex<SetPointsSeen>>::default());
         let (theirs, mut framer) = (Arc::clone(&seen), Framer::new(1 << 16));
-        let see = move |bytes: &[u8]| see(&mut framer, bytes, &mut lock(&theirs), now.elapsed(), &is_expected);
+        let see = move |bytes: &mut Vec<u8>| see(&mut framer, bytes, &mut lock(&theirs), now.elapsed(), &is_expected);
         let address = forwarded(clock, controller, see, |_| ());
         Self { address, seen }
     }

@@ -144,6 +144,21 @@ fn a_refusal_is_told_once_by_a_later_call_and_the_rest_goes_on() {
     assert_usable(&controller, &mut client);
 }
 
+/// So the pipeline never waits for room.
+#[test]
+fn a_refusal_that_another_thread_has_read_is_told_by_the_next_call() {
+    let (_controller, mut client) = tried();
+    let mut other = client.try_clone().expect("the connection is there");
+    let mut pipeline = client.pipeline(8);
+    pipeline.send(&set_point()).expect("its reply has not been read");
+    other.get_joint_pos().expect("it reads both replies");
+    let error = pipeline.send(&output(1)).expect_err("the set-point was refused");
+    assert!(error.is_refused(), "{error:?}");
+    assert_eq!((pipeline.sent(), pipeline.accepted(), pipeline.outstanding()), (1, 0, 0));
+    pipeline.send(&output(1)).expect("the refusal was told");
+    assert_eq!(pipeline.finish().expect("it is accepted"), 1);
+}
+
 #[test]
 fn what_was_not_reported_before_is_reported_at_the_end() {
     let (controller, mut client) = connected();
