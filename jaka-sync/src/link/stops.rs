@@ -207,9 +207,11 @@ impl Stops {
     /// Detaches the robot. What keeps motions back stays for the next one; true if a session that has ended without
     /// rest kept commands back until now.
     pub fn detach(&self) -> bool {
-        let Some(robot) = self.state.lock().robot.take() else { return false };
+        let Some(robot) = self.state.lock().robot.clone() else { return false };
         let is_latched = robot.is_latched();
+        // At once, so that no motion of another handle passes between.
         let mut state = self.state.lock();
+        state.robot = None;
         if is_latched {
             state.latch.latch();
         }

@@ -171,6 +171,26 @@ fn a_stop_that_a_packet_shows_keeps_back_motions_of_all_handles() {
     assert_held(&arm, &mut other, "at rest");
 }
 
+#[test]
+fn the_next_robot_of_a_connection_inherits_a_stop_that_a_packet_has_shown() {
+    let (arm, mut first) = Arm::simulated().with_client();
+    let robot = || Robot::new(first.try_clone().expect("it is there"), arm.monitor::<RobotStatus>());
+    let robot = robot().expect("it is the only one");
+    arm.collide();
+    robot.monitor().wait_until(|status| status.protective_stop == Some(true), LONG).expect("packets come");
+    first.clear_error().expect("it passes");
+    robot.monitor().wait_until(|status| status.protective_stop == Some(false), LONG).expect("packets come");
+    assert!(because(&first.joint_move(&turn(1.0)).expect_err("a stop")).contains("acknowledged"));
+    drop(robot);
+    assert!(because(&first.joint_move(&turn(1.0)).expect_err("a stop")).contains("acknowledged"));
+    let robot = Robot::new(first.try_clone().expect("it is there"), arm.monitor::<RobotStatus>());
+    let mut robot = robot.expect("the other one was dropped");
+    let error = robot.start(&turn(1.0)).expect_err("nobody has acknowledged the stop");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
+    robot.acknowledge();
+    robot.run(&turn(1.0), LONG).expect("it rests").at_rest().expect("it ends");
+}
+
 /// Set-points by `servo_j` that were received, and the place of the first stop among them.
 fn set_points_and_stop(arm: &Arm) -> (Vec<String>, usize) {
     let names = names(arm);
