@@ -191,6 +191,26 @@ fn the_next_robot_of_a_connection_inherits_a_stop_that_a_packet_has_shown() {
     robot.run(&turn(1.0), LONG).expect("it rests").at_rest().expect("it ends");
 }
 
+/// The controller answers none of the commands before.
+#[test]
+fn a_stop_in_a_pipeline_waits_for_no_room_and_for_no_failure_before() {
+    let (arm, mut robot, mut other) = ready();
+    robot.start(&turn(90.0)).expect("it is accepted");
+    let since = arm.clock().now();
+    let output = SetDigitalOutput::new(DigitalOutputKind::Cabinet, 1, Switch::On);
+    other.call(&output).expect("it is accepted");
+    let link = arm.link(jaka_sim::Port::Command);
+    link.to_client().hold();
+    let mut pipeline = other.pipeline(1);
+    pipeline.send(&output).expect("there is room");
+    pipeline.send(&StopProgram::new()).expect("a stop waits for nothing");
+    assert_eq!(names(&arm).last().map(String::as_str), Some(StopProgram::INFO.name));
+    assert!(arm.clock().now() - since < Duration::from_secs(1));
+    arm.link(jaka_sim::Port::Command).release();
+    drop(pipeline);
+    let _ = robot.wait(LONG);
+}
+
 /// Set-points by `servo_j` that were received, and the place of the first stop among them.
 fn set_points_and_stop(arm: &Arm) -> (Vec<String>, usize) {
     let names = names(arm);
