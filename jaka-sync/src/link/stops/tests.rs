@@ -1,0 +1,33 @@
+use super::*;
+
+/// Robot whose packets have shown no stop.
+struct Quiet;
+
+impl AttachedRobot for Quiet {
+    fn stopped(&self) {}
+
+    fn is_latched(&self) -> bool {
+        false
+    }
+}
+
+/// Stops of a connection with a robot.
+fn with_robot() -> Arc<Stops> {
+    let stops = Stops::new(&Clock::default());
+    assert!(stops.attach(Quiet), "it has none");
+    stops
+}
+
+/// A session that has moved the arm, and was not seen at rest after it, began once the questions had been asked.
+#[test]
+fn rest_of_before_a_session_is_none_after_it() {
+    let stops = with_robot();
+    let due = stops.rest_due();
+    let lead = stops.lead(Handle::FIRST, Owner(1)).expect("nothing keeps it back");
+    lead.expect_set_point(Some(stops.clock().now()));
+    drop(lead);
+    stops.rest_seen(due);
+    assert_eq!(stops.check_motion(), Err(Kept::NotAtRest));
+    stops.rest_seen(stops.rest_due());
+    assert_eq!(stops.check_motion(), Ok(()));
+}
