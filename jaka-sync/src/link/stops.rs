@@ -274,8 +274,8 @@ impl Stops {
     pub(super) fn answered(&self, request: RequestId, is_accepted: bool) {
         let mut state = self.state.lock();
         let stop = state.unanswered.iter().find(|(stop, _)| *stop == request).map(|(_, number)| *number);
-        // The replies to earlier ones are lost.
-        state.unanswered.retain(|(stop, _)| *stop > request);
+        // With the reply to a later one they are lost, but a refusal without a name may overtake them.
+        state.unanswered.retain(|(stop, _)| if is_accepted { *stop > request } else { *stop != request });
         let Some(number) = stop.filter(|_| is_accepted) else { return };
         state.latch.accepted = state.latch.accepted.max(number);
         let robot = state.robot.clone();

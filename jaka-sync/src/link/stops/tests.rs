@@ -1,3 +1,7 @@
+use jaka_proto::Command as _;
+use jaka_proto::exchange::{Exchange, Support};
+use jaka_proto::messages::program::StopProgram;
+
 use super::*;
 
 /// Robot whose packets have shown no stop.
@@ -30,4 +34,19 @@ fn rest_of_before_a_session_is_none_after_it() {
     assert_eq!(stops.check_motion(), Err(Kept::NotAtRest));
     stops.rest_seen(stops.rest_due());
     assert_eq!(stops.check_motion(), Ok(()));
+}
+
+/// A refusal without a name may overtake the reply to a stop: that one is not lost.
+#[test]
+fn a_stop_is_accepted_whose_reply_comes_after_that_to_a_later_request() {
+    let (stops, mut exchange) = (with_robot(), Exchange::default());
+    let stop = stops.begin(StopKind::Program);
+    let outgoing = Outgoing::of(stops.clock(), StopProgram::INFO, Duration::MAX);
+    let outgoing = outgoing.of_stop(stop.number(), stops.clock().stopwatch());
+    let request = exchange.send(Owner(0), Support::Everywhere, "stop_program".into());
+    stops.entered(request, &outgoing);
+    let later = exchange.send(Owner(0), Support::Uncertain, "x".into());
+    stops.answered(later, false);
+    stops.answered(request, true);
+    assert_eq!(stops.accepted(), stop.number());
 }
