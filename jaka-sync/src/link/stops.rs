@@ -481,6 +481,7 @@ impl UnderWay {
             state.latch.begun -= 1;
             state.latch.latching = state.latch.latching.min(state.latch.begun);
             state.latch.sent = state.latch.sent.min(state.latch.begun);
+            state.latch.acknowledged = state.latch.acknowledged.min(state.latch.begun);
         }
     }
 }

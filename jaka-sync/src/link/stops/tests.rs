@@ -50,3 +50,13 @@ fn a_stop_is_accepted_whose_reply_comes_after_that_to_a_later_request() {
     stops.answered(request, true);
     assert_eq!(stops.accepted(), stop.number());
 }
+
+#[test]
+fn a_stop_that_is_taken_back_takes_its_acknowledgement_with_it() {
+    let stops = with_robot();
+    let stop = stops.begin(StopKind::OfMotion);
+    stops.acknowledge();
+    stop.take_back();
+    drop(stops.begin(StopKind::Program));
+    assert_eq!(stops.check_motion(), Err(Kept::Stopped), "it is another stop");
+}
