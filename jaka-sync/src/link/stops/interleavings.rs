@@ -6,6 +6,8 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use jaka_proto::Command as _;
+use jaka_proto::messages::program::StopProgram;
 use shuttle::sync::Mutex;
 use shuttle::thread::JoinHandle;
 
@@ -65,7 +67,8 @@ fn join<T>(thread: JoinHandle<T>) -> T {
 /// Reply to a stop.
 fn answer(stops: &Stops, stop: &UnderWay, is_accepted: bool) {
     let request = RequestId::default();
-    stops.entered(request, stop.number());
+    let outgoing = Outgoing::of(stops.clock(), StopProgram::INFO, Duration::MAX);
+    stops.entered(request, &outgoing.of_stop(stop.number(), stops.clock().stopwatch()));
     stops.answered(request, is_accepted);
     if !is_accepted {
         stop.failed();
