@@ -126,11 +126,12 @@ impl Drop for Attached {
 #[derive(Debug)]
 pub(crate) struct Arm {
     client: Client,
+    /// The robot of the connection, for the robot's own arm; `None` for a lent one. Dropped before the state, from which
+    /// the connection takes over what must be acknowledged.
+    _attached: Option<Attached>,
     source: Arc<dyn StatusSource>,
     pub(crate) state: Arc<ArmState>,
     pub(crate) position: Position,
-    /// The robot of the connection, for the robot's own arm; `None` for a lent one.
-    _attached: Option<Attached>,
     /// Number of this program's frame changes at the time of its last motion; packets may be older than a later change.
     frame_changes: u64,
 }

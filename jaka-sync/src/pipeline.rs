@@ -2,8 +2,8 @@
 
 use std::collections::VecDeque;
 
-use jaka_proto::Command;
 use jaka_proto::exchange::Owner;
+use jaka_proto::{Command, Role};
 
 #[cfg(doc)]
 use crate::ErrorKind;
@@ -23,7 +23,8 @@ use crate::{Client, Error};
 /// late: up to a window of later commands have been sent by then, and may have run. If a command must not be sent
 /// unless the previous one was accepted, call them one by one.
 ///
-/// A stop is sent between the commands. The controller first processes the outstanding ones, so at most 256 commands
+/// A stop is sent between the commands. One that the pipeline itself sends waits for no room in the window, and is sent
+/// also if an earlier command has failed. The controller first processes the outstanding ones, so at most 256 commands
 /// are outstanding, including those of dropped pipelines.
 ///
 /// Dropping the pipeline gives up the outstanding replies; [`finish`](Self::finish) waits for them.
@@ -105,7 +106,8 @@ impl<'c> Pipeline<'c> {
         self.client.check(commands)?;
         let mut rest = commands;
         while !rest.is_empty() {
-            let room = self.wait_for_room(C::INFO.name)?;
+            // A stop waits for nothing.
+            let room = if rest[0].role() == Some(Role::Stop) { 1 } else { self.wait_for_room(C::INFO.name)? };
             let (now, later) = rest.split_at(rest.len().min(room));
             self.send_checked(now)?;
             rest = later;

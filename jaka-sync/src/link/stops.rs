@@ -83,7 +83,9 @@ struct Latch {
 /// Need for an observation that the arm is at rest.
 #[derive(Debug, Default)]
 struct Rest {
-    /// Number of events after which the arm must be seen at rest.
+    /// Number of stops, and of ends of sessions that have moved the arm.
+    events: u64,
+    /// The latest of them after which the arm must be seen at rest, apart from the end of the [`Lead`].
     due: u64,
     /// Number of them that had happened before the arm was seen at rest.
     seen: u64,
@@ -102,8 +104,22 @@ struct Lead {
     set_point: Option<(Instant, ThreadId)>,
     /// True if it has moved the arm.
     has_moved: bool,
-    /// True once it has ended, while the arm was not seen at rest.
-    is_over: bool,
+    /// Number of its end among the events of [`Rest`], while the arm was not seen at rest; `None` before its end.
+    over: Option<u64>,
+}
+
+impl Lead {
+    fn is_over(&self) -> bool {
+        self.over.is_some()
+    }
+}
+
+impl Rest {
+    /// Requires that the arm is seen at rest from now on.
+    fn require(&mut self) {
+        self.events += 1;
+        self.due = self.events;
+    }
 }
 
 /// Kind of a stop, by its consequences.
@@ -162,7 +178,7 @@ impl Latch {
 impl State {
     /// The session that moves the arm at present.
     fn leading(&self) -> Option<&Lead> {
-        self.lead.as_ref().filter(|lead| !lead.is_over)
+        self.lead.as_ref().filter(|lead| !lead.is_over())
     }
 
     /// True if a stop has begun since the session did.
@@ -171,7 +187,7 @@ impl State {
     }
 
     fn needs_rest(&self) -> bool {
-        self.binds && (self.rest.due > self.rest.seen || self.lead.as_ref().is_some_and(|lead| lead.is_over))
+        self.binds && (self.rest.due > self.rest.seen || self.lead.as_ref().is_some_and(|lead| lead.is_over()))
     }
 
     /// Time until which a stop waits for a session to brake; `None` without a wait. The thread of the session itself
@@ -207,13 +223,15 @@ impl Stops {
     /// Detaches the robot. What keeps motions back stays for the next one; true if a session that has ended without
     /// rest kept commands back until now.
     pub fn detach(&self) -> bool {
-        let Some(robot) = self.state.lock().robot.take() else { return false };
+        let Some(robot) = self.state.lock().robot.clone() else { return false };
         let is_latched = robot.is_latched();
+        // At once, so that no motion of another handle passes between.
         let mut state = self.state.lock();
+        state.robot = None;
         if is_latched {
             state.latch.latch();
         }
-        state.lead.take_if(|lead| lead.is_over).is_some()
+        state.lead.take_if(|lead| lead.is_over()).is_some()
     }
 
     /// Begins a stop: from here on no motion and no set-point goes out but those that brake.
@@ -224,7 +242,7 @@ impl Stops {
         state.goes_out_at.get_or_insert(latest);
         state.latch.under_way += 1;
         state.latch.begun += 1;
-        state.rest.due += 1;
+        state.rest.require();
         let number = state.latch.begun;
         match kind {
             StopKind::Program => state.latch.latching = number,
@@ -256,8 +274,8 @@ impl Stops {
     pub(super) fn answered(&self, request: RequestId, is_accepted: bool) {
         let mut state = self.state.lock();
         let stop = state.unanswered.iter().find(|(stop, _)| *stop == request).map(|(_, number)| *number);
-        // The replies to earlier ones are lost.
-        state.unanswered.retain(|(stop, _)| *stop > request);
+        // With the reply to a later one they are lost, but a refusal without a name may overtake them.
+        state.unanswered.retain(|(stop, _)| if is_accepted { *stop > request } else { *stop != request });
         let Some(number) = stop.filter(|_| is_accepted) else { return };
         state.latch.accepted = state.latch.accepted.max(number);
         let robot = state.robot.clone();
@@ -309,17 +327,17 @@ impl Stops {
     pub fn acknowledge(&self) {
         let mut state = self.state.lock();
         state.latch.acknowledged = state.latch.begun;
-        state.lead.take_if(|lead| lead.is_over);
+        state.lead.take_if(|lead| lead.is_over());
     }
 
     /// Requires that the arm is seen at rest before the next motion, as after a stop that a packet shows.
     pub fn require_rest(&self) {
-        self.state.lock().rest.due += 1;
+        self.state.lock().rest.require();
     }
 
-    /// Number of the events so far after which the arm must be seen at rest: for [`rest_seen`](Self::rest_seen).
+    /// Number of the events so far, after which the arm must be seen at rest: for [`rest_seen`](Self::rest_seen).
     pub fn rest_due(&self) -> u64 {
-        self.state.lock().rest.due
+        self.state.lock().rest.events
     }
 
     /// The arm was seen at rest by answers to questions that were asked after [`rest_due`](Self::rest_due) gave this
@@ -327,7 +345,7 @@ impl Stops {
     pub fn rest_seen(&self, due: u64) {
         let mut state = self.state.lock();
         state.rest.seen = state.rest.seen.max(due);
-        state.lead.take_if(|lead| lead.is_over);
+        state.lead.take_if(|lead| lead.over.is_some_and(|end| end <= due));
     }
 
     /// True if the arm must be seen at rest before the next motion.
@@ -369,10 +387,10 @@ impl Stops {
         let passes = outgoing.role.is_some_and(Role::passes_beside_set_points);
         let moves = state.binds && !outgoing.is_raw && outgoing.role.is_some_and(Role::moves);
         let robot = state.robot.clone().filter(|_| moves);
-        let because = match state.lead.as_ref().filter(|lead| lead.is_over || lead.by != outgoing.by) {
+        let because = match state.lead.as_ref().filter(|lead| lead.is_over() || lead.by != outgoing.by) {
             // Nothing moves any more that a long query could delay.
-            Some(lead) if lead.is_over && !passes && !outgoing.is_query() => Some(LED_BEFORE),
-            Some(lead) if !lead.is_over && !passes => Some(LED),
+            Some(lead) if lead.is_over() && !passes && !outgoing.is_query() => Some(LED_BEFORE),
+            Some(lead) if !lead.is_over() && !passes => Some(LED),
             _ if moves && state.latch.is_held() => Some(STOPPED),
             _ if moves && state.needs_rest() => Some(NOT_AT_REST),
             _ => None,
@@ -400,7 +418,7 @@ impl Stops {
         }
         state.last_lead += 1;
         let (number, stops) = (state.last_lead, state.latch.begun);
-        state.lead = Some(Lead { number, by, owner, stops, set_point: None, has_moved: false, is_over: false });
+        state.lead = Some(Lead { number, by, owner, stops, set_point: None, has_moved: false, over: None });
         drop(state);
         Ok(Leading { stops: Arc::clone(self), number })
     }
@@ -463,6 +481,7 @@ impl UnderWay {
             state.latch.begun -= 1;
             state.latch.latching = state.latch.latching.min(state.latch.begun);
             state.latch.sent = state.latch.sent.min(state.latch.begun);
+            state.latch.acknowledged = state.latch.acknowledged.min(state.latch.begun);
         }
     }
 }
@@ -498,9 +517,12 @@ impl Leading {
 impl Drop for Leading {
     fn drop(&mut self) {
         let mut state = self.stops.state.lock();
+        let state = &mut *state;
         let Some(lead) = state.lead.as_mut().filter(|lead| lead.number == self.number) else { return };
-        (lead.set_point, lead.is_over) = (None, true);
-        if !lead.has_moved {
+        if lead.has_moved {
+            state.rest.events += 1;
+            (lead.set_point, lead.over) = (None, Some(state.rest.events));
+        } else {
             state.lead = None;
         }
         self.stops.state.wake();
@@ -516,3 +538,6 @@ impl fmt::Debug for Stops {
 
 #[cfg(all(test, shuttle))]
 mod interleavings;
+
+#[cfg(all(test, not(shuttle)))]
+mod tests;

@@ -8,7 +8,7 @@ use jaka_robot::servo::SetServoMode;
 use jaka_robot::status::RobotStatus;
 use jaka_robot::types::Switch;
 use jaka_robot::{Cause, Client, ErrorKind, HasRobot, Robot, RobotConfig, ServoConfig, StreamConfig, jaka_sync};
-use jaka_sim::Delays;
+use jaka_sim::{Delays, Port};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, CYCLE, Configured as _, LONG, text};
 use std::time::Duration;
@@ -169,6 +169,46 @@ fn a_stop_that_a_packet_shows_keeps_back_motions_of_all_handles() {
     assert_held(&arm, &mut other, "acknowledged");
     robot.acknowledge();
     assert_held(&arm, &mut other, "at rest");
+}
+
+#[test]
+fn the_next_robot_of_a_connection_inherits_a_stop_that_a_packet_has_shown() {
+    let (arm, mut first) = Arm::simulated().with_client();
+    let robot = Robot::new(first.try_clone().expect("it is there"), arm.monitor::<RobotStatus>());
+    let robot = robot.expect("it is the only one");
+    arm.collide();
+    robot.monitor().wait_until(|status| status.protective_stop == Some(true), LONG).expect("packets come");
+    first.clear_error().expect("it passes");
+    robot.monitor().wait_until(|status| status.protective_stop == Some(false), LONG).expect("packets come");
+    assert!(because(&first.joint_move(&turn(1.0)).expect_err("a stop")).contains("acknowledged"));
+    drop(robot);
+    assert!(because(&first.joint_move(&turn(1.0)).expect_err("a stop")).contains("acknowledged"));
+    let robot = Robot::new(first.try_clone().expect("it is there"), arm.monitor::<RobotStatus>());
+    let mut robot = robot.expect("the other one was dropped");
+    let error = robot.start(&turn(1.0)).expect_err("nobody has acknowledged the stop");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
+    robot.acknowledge();
+    robot.run(&turn(1.0), LONG).expect("it rests").at_rest().expect("it ends");
+}
+
+/// The controller answers none of the commands before.
+#[test]
+fn a_stop_in_a_pipeline_waits_for_no_room_and_for_no_failure_before() {
+    let (arm, mut robot, mut other) = ready();
+    robot.start(&turn(90.0)).expect("it is accepted");
+    let output = SetDigitalOutput::new(DigitalOutputKind::Cabinet, 1, Switch::On);
+    other.call(&output).expect("it is accepted");
+    arm.link(Port::Command).to_client().hold();
+    let (before, since) = (arm.requests().len(), arm.clock().now());
+    let mut pipeline = other.pipeline(1);
+    pipeline.send(&output).expect("there is room");
+    pipeline.send(&StopProgram::new()).expect("a stop waits for nothing");
+    assert_eq!(arm.clock().now(), since);
+    assert!(arm.wait_for_requests(before + 2, LONG), "both were sent");
+    assert_eq!(names(&arm).last().map(String::as_str), Some(StopProgram::INFO.name));
+    arm.link(Port::Command).release();
+    drop(pipeline);
+    assert_eq!(robot.wait(LONG).cause(), Cause::Stopped);
 }
 
 /// Set-points by `servo_j` that were received, and the place of the first stop among them.

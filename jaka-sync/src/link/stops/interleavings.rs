@@ -6,7 +6,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use jaka_proto::Command;
+use jaka_proto::Command as _;
 use jaka_proto::messages::program::StopProgram;
 use shuttle::sync::Mutex;
 use shuttle::thread::JoinHandle;
