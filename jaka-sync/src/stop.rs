@@ -105,11 +105,15 @@ impl StopHandle {
         }
         let stop = self.link.begin_stop(StopKind::OfMotion);
         // If a logger panics, another thread does the rest.
-        let Ok(Ok(sent)) = catch_unwind(AssertUnwindSafe(|| self.write_within(&stop, AT_ONCE))) else {
-            stop.take_back();
-            return None;
-        };
-        Some(self.written(sent, stop))
+        match catch_unwind(AssertUnwindSafe(|| self.write_within(&stop, AT_ONCE))) {
+            Ok(Ok(sent)) => Some(self.written(sent, stop)),
+            Ok(Err(_)) => {
+                stop.take_back();
+                None
+            }
+            // It may have gone out.
+            Err(_) => None,
+        }
     }
 
     /// Waits until the controller has accepted a stop that was written.

@@ -186,8 +186,16 @@ impl State {
         self.leading().is_some_and(|lead| self.latch.begun > lead.stops)
     }
 
+    /// A stop has failed: counts as one of the program that begins now.
+    fn fail(&mut self) {
+        self.latch.latch();
+        if !self.binds {
+            self.latch.acknowledged = self.latch.begun;
+        }
+    }
+
     fn needs_rest(&self) -> bool {
-        self.binds && (self.rest.due > self.rest.seen || self.lead.as_ref().is_some_and(|lead| lead.is_over()))
+        self.binds && (self.rest.due > self.rest.seen || self.lead.as_ref().is_some_and(Lead::is_over))
     }
 
     /// Time until which a stop waits for a session to brake; `None` without a wait. The thread of the session itself
@@ -276,7 +284,11 @@ impl Stops {
         let stop = state.unanswered.iter().find(|(stop, _)| *stop == request).map(|(_, number)| *number);
         // With the reply to a later one they are lost, but a refusal without a name may overtake them.
         state.unanswered.retain(|(stop, _)| if is_accepted { *stop > request } else { *stop != request });
-        let Some(number) = stop.filter(|_| is_accepted) else { return };
+        let Some(number) = stop else { return };
+        if !is_accepted {
+            state.fail();
+            return;
+        }
         state.latch.accepted = state.latch.accepted.max(number);
         let robot = state.robot.clone();
         drop(state);
@@ -462,16 +474,14 @@ impl UnderWay {
         }
         let mut state = self.stops.state.lock();
         state.latch.sent = state.latch.sent.max(self.number);
+        // Rest that was seen before counts for nothing.
+        state.rest.require();
     }
 
     /// Records that the controller has not accepted the stop. Counts as a stop of the program that begins now, so that
     /// an earlier acknowledgement does not cover it.
     pub(crate) fn failed(&self) {
-        let mut state = self.stops.state.lock();
-        state.latch.latch();
-        if !state.binds {
-            state.latch.acknowledged = state.latch.begun;
-        }
+        self.stops.state.lock().fail();
     }
 
     /// Withdraws the stop, of which nothing was sent, unless another one has begun since.
