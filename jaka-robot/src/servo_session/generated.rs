@@ -175,6 +175,7 @@ impl ServoSession<'_> {
             if set_points.depend_on_frames() {
                 self.check_frames().inspect_err(|_| set_points.take_back())?;
             }
+            self.take_answers(ServoJ::INFO.name).inspect_err(|_| set_points.take_back())?;
             let sent = self.send_checked(SetPoint::Joints(joints), Some(joints), supervision.max_gap);
             sent.inspect_err(|_| set_points.take_back())?;
             supervision.sent(|| self.arm.clock().now(), joints);

@@ -350,7 +350,7 @@ impl ServoSession<'_> {
         }
     }
 
-    /// Sends a set-point that has been checked, unless it is later than `most`, or follows a gap and the arm moves or
+    /// Sends a set-point that has been checked, after the answers were taken, unless it is later than `most`, or follows a gap and the arm moves or
     /// cannot begin with it.
     pub(super) fn send_checked(
         &mut self,
@@ -359,7 +359,6 @@ impl ServoSession<'_> {
         most: Duration,
     ) -> Result<(), Error> {
         // After the wait: a stop may have come meanwhile.
-        self.take_answers(ServoJ::INFO.name)?;
         if let Some(refusal) = self.refusal.take() {
             return Err(refusal);
         }

@@ -124,7 +124,7 @@ fn what_is_said_about_a_command() {
             ("payload", r#"title = "Payload""#, r#"title = "The payload""#),
             ("types", "Angles are degrees", "Angles are in degrees"),
         ],
-        &expect![[r#"
+        &expect![[r"
             major: command `get_extio_status`: bare reply removed, was `extio_status`
             major: command `movc`: name changed from `move_c` to `move_arc`
             major: command `movc`: motion removed, was `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance; on an unknown path with circle_count or circle_mode`
@@ -151,8 +151,8 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "#]],
-        &expect![[r#"
+        "]],
+        &expect![[r"
             major: command `movc`: name changed from `move_arc` to `move_c`
             minor: command `clear_error`: effect changed from `setting` to `power`
             minor: command `end_move`: deadline added: `60000 ms`
@@ -179,7 +179,7 @@ fn what_is_said_about_a_command() {
             patch: command `wait_complete`: examples changed
             patch: topic `payload`: title changed
             patch: topic `types`: doc changed
-        "#]],
+        "]],
     );
 }
 

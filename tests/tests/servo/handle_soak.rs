@@ -177,7 +177,7 @@ fn round(way: Way, seed: u32) -> (Duration, Vec<String>) {
         }
         for number in 0..i64::from(count) {
             let is_of = |one: &&Exchanged| one.is("set_analog_output") && one.request["index"] == number;
-            let last = exchanged.iter().filter(is_of).next_back().and_then(|one| one.request["value"].as_f64());
+            let last = exchanged.iter().rfind(is_of).and_then(|one| one.request["value"].as_f64());
             if state.analog_outputs.get(&(AnalogOutputKind::Cabinet, number)).copied() != last {
                 found.push(format!("output {number} is not {last:?}"));
             }

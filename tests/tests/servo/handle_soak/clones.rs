@@ -189,22 +189,21 @@ impl Sender {
     /// Each refusal is told once, before the end, and the commands after it tell it.
     fn send_with_refusals(&mut self) -> Result<(), Failed> {
         let first = self.last_tag + 1;
-        let refuses = |random: &mut Random, number| number < 24 && random.one_in(6);
-        let outputs: Vec<_> = (0..40).map(|number| refuses(&mut self.random, number)).collect();
+        let is_refused_at = |random: &mut Random, number| number < 24 && random.one_in(6);
+        let outputs: Vec<_> = (0..40).map(|number| is_refused_at(&mut self.random, number)).collect();
         let outputs: Vec<_> = outputs.into_iter().map(|is_refused| self.output(is_refused)).collect();
-        let mut refused =
-            outputs.iter().filter(|output| output.index >= OUTPUTS).map(|output| output.value.to_string());
+        let mut values = outputs.iter().filter(|output| output.index >= OUTPUTS).map(|output| output.value.to_string());
         let mut pipeline = self.client.pipeline(8);
         for output in &outputs {
             while let Err(error) = pipeline.send(output) {
                 let Some(refusal) = error.refusal() else { return Err(error.into()) };
-                if refused.next().as_ref() != Some(&refusal.message) {
+                if values.next().as_ref() != Some(&refusal.message) {
                     return Err(Failed::Wrong(format!("a pipeline is told {refusal:?}")));
                 }
             }
         }
         let accepted = pipeline.finish()?;
         self.sent.pipelines.push((first..self.last_tag + 1, accepted));
-        refused.next().map_or(Ok(()), |tag| Err(Failed::Wrong(format!("the refusal of {tag} is not told"))))
+        values.next().map_or(Ok(()), |tag| Err(Failed::Wrong(format!("the refusal of {tag} is not told"))))
     }
 }
