@@ -126,8 +126,8 @@ impl Drop for Attached {
 #[derive(Debug)]
 pub(crate) struct Arm {
     client: Client,
-    /// The robot of the connection, for the robot's own arm; `None` for a lent one. Dropped before the state, from which
-    /// the connection takes over what must be acknowledged.
+    /// The robot of the connection, for the robot's own arm; `None` for a lent one. Dropped before the state: the
+    /// connection takes over what must be acknowledged.
     _attached: Option<Attached>,
     source: Arc<dyn StatusSource>,
     pub(crate) state: Arc<ArmState>,

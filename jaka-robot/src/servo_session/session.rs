@@ -350,8 +350,8 @@ impl ServoSession<'_> {
         }
     }
 
-    /// Sends a set-point that has been checked, after the answers were taken, unless it is later than `most`, or follows a gap and the arm moves or
-    /// cannot begin with it.
+    /// Sends a set-point that has been checked, after the answers were taken. Refused where it is later than `most`,
+    /// or follows a gap and the arm moves or cannot begin with it.
     pub(super) fn send_checked(
         &mut self,
         set_point: SetPoint,

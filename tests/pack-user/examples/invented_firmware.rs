@@ -48,6 +48,8 @@ fn glides(robot: &mut Robot<invented::RobotStatus>) -> Result<(), Box<dyn Error>
     let plan = robot.client().demo_glide(&invented::DemoGlide::new([0.0, 90.0, 90.0, 90.0, -90.0, 0.0], 30.0))?.plan;
     println!("it goes back in {:.1} s", plan.seconds);
     robot.client().demo_halt()?;
+    robot.wait_for_rest(LONG)?;
+    robot.acknowledge();
 
     robot.start(&far)?;
     robot.stop_handle().stop()?;
