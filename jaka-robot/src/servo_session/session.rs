@@ -80,6 +80,9 @@ use crate::{Cause, Error, ErrorKind, Occurrence, Report, Rest, Snapshot};
 /// is [`ErrorKind::ServoModeNotLeft`]. Set-points that the network or the controller already has may still move the
 /// arm: at most the unanswered ones.
 ///
+/// A session that [`std::mem::forget`] takes never ends: the robot stays in servo mode, motions of the connection are
+/// refused, and each stop waits its 3 s for a braking that nobody does, then goes out. Drop the connection.
+///
 /// ```no_run
 /// # use jaka_robot::{Robot, ServoConfig};
 /// let mut robot = Robot::connect("10.5.5.100")?;

@@ -48,12 +48,12 @@ pub(super) struct Sender {
     sent: Sent,
 }
 
-/// What a clone has sent.
+/// Commands of a clone, as sent.
 #[derive(Debug, Default)]
 pub(super) struct Sent {
     /// Tags of the commands of each finished pipeline, and the number of those that it counts as accepted.
     pub(super) pipelines: Vec<(Range<u64>, u64)>,
-    /// What is wrong.
+    /// Finding of the soak, in words.
     pub(super) found: Option<String>,
 }
 
