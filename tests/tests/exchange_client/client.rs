@@ -395,6 +395,11 @@ impl Run {
         if !self.model.may_send(CLIENT) {
             return self.settle(&[]);
         }
+        // A stop goes out whatever has failed before it; other commands first tell what has been read, and are not sent.
+        if let Some(got) = (name != STOP).then(|| self.model.exchange.tell_posted(0)).flatten() {
+            self.model.ended.push((CLIENT, End::Got(got)));
+            return self.settle(&[]);
+        }
         for _ in 0..count {
             let number = self.server.receive(name);
             self.model.post(number, name, self.clock.now() + TIMEOUT);

@@ -273,6 +273,12 @@ impl Model {
         Some(self.outcomes.remove(place).1)
     }
 
+    /// Takes the first failure of the posted requests of an owner.
+    pub(crate) fn tell_posted(&mut self, owner: usize) -> Option<Got> {
+        let failed = &mut self.posted[owner].1;
+        (!failed.is_empty()).then(|| failed.remove(0).1)
+    }
+
     /// Takes the outcomes of the posted requests of an owner.
     pub(crate) fn take_posted(&mut self, owner: usize) -> (u64, Vec<(&'static str, Got)>) {
         std::mem::take(&mut self.posted[owner])
