@@ -392,12 +392,12 @@ impl Run {
         self.keep_apart(&[TIMEOUT])?;
         self.workers.order(CLIENT, Order::Post { name, count });
         self.model.has_pipeline = true;
-        if !self.model.may_send(CLIENT) {
-            return self.settle(&[]);
-        }
-        // A stop goes out whatever has failed before it; other commands first tell what has been read, and are not sent.
+        // A stop goes out whatever has failed before it; others first tell what has been read, and are not sent.
         if let Some(got) = (name != STOP).then(|| self.model.exchange.tell_posted(0)).flatten() {
             self.model.ended.push((CLIENT, End::Got(got)));
+            return self.settle(&[]);
+        }
+        if !self.model.may_send(CLIENT) {
             return self.settle(&[]);
         }
         for _ in 0..count {
