@@ -65,10 +65,7 @@ impl RestWindow {
             self.answers.remove(0);
         }
         self.answers.push(answer);
-        let [first, .., last] = &self.answers[..] else { return Seen::TooFew };
-        if self.answers.len() < COUNT {
-            return Seen::TooFew;
-        }
+        let [first, _, last] = &self.answers[..] else { return Seen::TooFew };
         let within = last.asked.saturating_duration_since(first.answered);
         let turns = (0..6).map(|joint| Turn { joint: joint + 1, by_deg: self.spread(joint), within });
         // A position that is no number turns fastest.

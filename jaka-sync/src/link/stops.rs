@@ -546,6 +546,9 @@ impl fmt::Debug for Stops {
     }
 }
 
+#[cfg(test)]
+mod fixture;
+
 #[cfg(all(test, shuttle))]
 mod interleavings;
 

@@ -138,23 +138,31 @@ fn a_second_robot_of_a_connection_is_refused_and_closes_nothing() {
     stream.land().expect("nothing has ended the stream").at_rest().expect("it rests");
 }
 
+/// A robot of the connection of a client, which has no other one.
+fn next_robot(arm: &Arm, client: &Client) -> Robot {
+    Robot::new(client.try_clone().expect("it is there"), arm.monitor::<RobotStatus>()).expect("it is the only one")
+}
+
+/// The next robot moves after an acknowledgement, and not before.
+fn assert_next_is_bound(arm: &Arm, client: &Client) {
+    let mut robot = next_robot(arm, client);
+    let error = robot.start(&turn(1.0)).expect_err("nobody has acknowledged the stop");
+    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
+    robot.acknowledge();
+    robot.run(&turn(1.0), LONG).expect("it rests").at_rest().expect("it ends");
+}
+
 /// Its client belongs to the program; a new robot of the same connection is bound by what was before.
 #[test]
 fn the_next_robot_of_a_connection_inherits_a_stop_and_a_client_alone_is_bound_by_it() {
     let (arm, mut first) = Arm::simulated().with_client();
     first.stop_handle().stop().expect("the controller takes it");
     first.joint_move(&turn(1.0)).expect("a connection without a robot has nobody to acknowledge a stop");
-    let robot = Robot::new(first.try_clone().expect("it is there"), arm.monitor::<RobotStatus>());
-    let robot = robot.expect("it is the only one");
+    let robot = next_robot(&arm, &first);
     robot.stop_handle().stop().expect("the controller takes it");
     drop(robot);
     assert!(because(&first.joint_move(&turn(1.0)).expect_err("it is stopped")).contains("acknowledged"));
-    let robot = Robot::new(first.try_clone().expect("it is there"), arm.monitor::<RobotStatus>());
-    let mut robot = robot.expect("the other one was dropped");
-    let error = robot.start(&turn(1.0)).expect_err("nobody has acknowledged the stop");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
-    robot.acknowledge();
-    robot.run(&turn(1.0), LONG).expect("it rests").at_rest().expect("it ends");
+    assert_next_is_bound(&arm, &first);
     first.joint_move(&turn(1.0)).expect("nothing keeps it back");
 }
 
@@ -174,8 +182,7 @@ fn a_stop_that_a_packet_shows_keeps_back_motions_of_all_handles() {
 #[test]
 fn the_next_robot_of_a_connection_inherits_a_stop_that_a_packet_has_shown() {
     let (arm, mut first) = Arm::simulated().with_client();
-    let robot = Robot::new(first.try_clone().expect("it is there"), arm.monitor::<RobotStatus>());
-    let robot = robot.expect("it is the only one");
+    let robot = next_robot(&arm, &first);
     arm.collide();
     robot.monitor().wait_until(|status| status.protective_stop == Some(true), LONG).expect("packets come");
     first.clear_error().expect("it passes");
@@ -183,12 +190,7 @@ fn the_next_robot_of_a_connection_inherits_a_stop_that_a_packet_has_shown() {
     assert!(because(&first.joint_move(&turn(1.0)).expect_err("a stop")).contains("acknowledged"));
     drop(robot);
     assert!(because(&first.joint_move(&turn(1.0)).expect_err("a stop")).contains("acknowledged"));
-    let robot = Robot::new(first.try_clone().expect("it is there"), arm.monitor::<RobotStatus>());
-    let mut robot = robot.expect("the other one was dropped");
-    let error = robot.start(&turn(1.0)).expect_err("nobody has acknowledged the stop");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { .. }), "{error:?}");
-    robot.acknowledge();
-    robot.run(&turn(1.0), LONG).expect("it rests").at_rest().expect("it ends");
+    assert_next_is_bound(&arm, &first);
 }
 
 /// The controller answers none of the commands before.

@@ -11,6 +11,7 @@ use jaka_proto::messages::program::StopProgram;
 use shuttle::sync::Mutex;
 use shuttle::thread::JoinHandle;
 
+use super::fixture::with_robot;
 use super::*;
 
 /// Number of schedules of each test: at random, and with a few switches of threads anywhere.
@@ -34,24 +35,6 @@ impl Fact {
     fn holds(&self) -> bool {
         self.0.load(Ordering::SeqCst)
     }
-}
-
-/// Robot whose packets have shown no stop.
-struct Quiet;
-
-impl AttachedRobot for Quiet {
-    fn stopped(&self) {}
-
-    fn is_latched(&self) -> bool {
-        false
-    }
-}
-
-/// Stops of a connection with a robot.
-fn with_robot() -> Arc<Stops> {
-    let stops = Stops::new(&Clock::default());
-    assert!(stops.attach(Quiet), "it has none");
-    stops
 }
 
 /// Starts a thread with the stops.

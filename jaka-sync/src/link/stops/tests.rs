@@ -2,25 +2,8 @@ use jaka_proto::Command as _;
 use jaka_proto::exchange::{Exchange, Support};
 use jaka_proto::messages::program::StopProgram;
 
+use super::fixture::with_robot;
 use super::*;
-
-/// Robot whose packets have shown no stop.
-struct Quiet;
-
-impl AttachedRobot for Quiet {
-    fn stopped(&self) {}
-
-    fn is_latched(&self) -> bool {
-        false
-    }
-}
-
-/// Stops of a connection with a robot.
-fn with_robot() -> Arc<Stops> {
-    let stops = Stops::new(&Clock::default());
-    assert!(stops.attach(Quiet), "it has none");
-    stops
-}
 
 /// A session that has moved the arm, and was not seen at rest after it, began once the questions had been asked.
 #[test]
