@@ -122,11 +122,8 @@ impl<'c> Pipeline<'c> {
         if let Some(error) = self.failed.pop_front() {
             return Err(error);
         }
-        let link = &self.client.link;
-        if link.room() == 0 {
-            link.wait_for_room(command, self.client.reply_timeout())?;
-        }
-        Ok(link.room().min(self.window - self.outstanding).max(1))
+        let room = self.client.link.wait_for_room(command, self.client.reply_timeout())?;
+        Ok(room.min(self.window - self.outstanding).max(1))
     }
 
     fn send_checked<C: Command>(&mut self, commands: &[C]) -> Result<(), Error> {
@@ -167,11 +164,11 @@ impl<'c> Pipeline<'c> {
     }
 
     fn wait(&mut self, most: usize) -> Result<(), Error> {
-        let link = &self.client.link;
-        let (answers, checked) = link.wait_for_posted(self.owner, most, self.client.reply_timeout());
+        let (answers, outstanding, checked) =
+            self.client.link.wait_for_posted(self.owner, most, self.client.reply_timeout());
         self.accepted += answers.accepted;
         self.failed.extend(answers.failed);
-        self.outstanding = link.outstanding(self.owner);
+        self.outstanding = outstanding;
         checked
     }
 }

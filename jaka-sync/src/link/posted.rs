@@ -31,8 +31,13 @@ impl Link {
     }
 
     /// Waits until at most this many posted commands of an owner are outstanding, each for at most `timeout` since it
-    /// was sent. Returns their outcomes, and an error if the connection is broken.
-    pub(crate) fn wait_for_posted(&self, owner: Owner, most: usize, timeout: Duration) -> (Answers, Result<(), Error>) {
+    /// was sent. Returns their outcomes, the number of outstanding ones, and an error if the connection is broken.
+    pub(crate) fn wait_for_posted(
+        &self,
+        owner: Owner,
+        most: usize,
+        timeout: Duration,
+    ) -> (Answers, usize, Result<(), Error>) {
         let mut state = self.state.lock();
         let mut checked = Ok(());
         while state.exchange.posted_outstanding(owner) > most && checked.is_ok() {
@@ -47,20 +52,20 @@ impl Link {
             }
             checked = self.check(&state, oldest.command, Transmission::Sent);
         }
-        (self.answers(state.exchange.take_posted_outcomes(owner)), checked)
+        let outcomes = state.exchange.take_posted_outcomes(owner);
+        (self.answers(outcomes), state.exchange.posted_outstanding(owner), checked)
     }
 
-    /// Number of further commands that may be posted: zero if too many requests are outstanding, including requests
-    /// that were given up.
-    pub(crate) fn room(&self) -> usize {
-        MOST_OUTSTANDING.saturating_sub(self.state.lock().exchange.outstanding())
-    }
-
-    /// Waits until there is [`room`](Self::room) to post `command`.
-    pub(crate) fn wait_for_room(&self, command: &str, timeout: Duration) -> Result<(), Error> {
+    /// Waits until there is room to post `command`: requests that were given up are outstanding, too. Returns the
+    /// number of commands that may be posted.
+    pub(crate) fn wait_for_room(&self, command: &str, timeout: Duration) -> Result<usize, Error> {
         let since = self.clock.stopwatch();
         let mut state = self.state.lock();
-        while state.exchange.outstanding() >= MOST_OUTSTANDING {
+        loop {
+            let room = MOST_OUTSTANDING.saturating_sub(state.exchange.outstanding());
+            if room > 0 {
+                return Ok(room);
+            }
             self.check(&state, command, Transmission::NotSent)?;
             let left = since.left_of(timeout);
             if left.is_zero() {
@@ -68,7 +73,6 @@ impl Link {
             }
             state = self.turn(state, left, &mut Waiter::nobody());
         }
-        Ok(())
     }
 
     /// Number of outstanding posted commands of an owner.

@@ -186,6 +186,11 @@ impl State {
         self.leading().is_some_and(|lead| self.latch.begun > lead.stops)
     }
 
+    /// True if a stop keeps motions back, or ends the session that moves the arm.
+    fn is_held(&self) -> bool {
+        self.latch.is_held() || self.has_stopped_session()
+    }
+
     /// A stop has failed: counts as one of the program that begins now.
     fn fail(&mut self) {
         self.latch.latch();
@@ -330,8 +335,7 @@ impl Stops {
 
     /// True if a stop keeps motions back, or ends the session that moves the arm.
     pub fn is_held(&self) -> bool {
-        let state = self.state.lock();
-        state.latch.is_held() || state.has_stopped_session()
+        self.state.lock().is_held()
     }
 
     /// Acknowledges the stops that have begun before. A stop on its way still keeps motions back, and the session that
@@ -368,7 +372,7 @@ impl Stops {
     /// Fails if a motion that the controller plans may not go out, or no session may begin.
     pub fn check_motion(&self) -> Result<(), Kept> {
         let state = self.state.lock();
-        if state.latch.is_held() || state.has_stopped_session() {
+        if state.is_held() {
             Err(Kept::Stopped)
         } else if state.leading().is_some() {
             Err(Kept::Led)
@@ -381,8 +385,7 @@ impl Stops {
 
     /// Fails if a set-point of the session may not go out, and none that holds the arm.
     pub fn check_set_point(&self) -> Result<(), Kept> {
-        let state = self.state.lock();
-        if state.latch.is_held() || state.has_stopped_session() { Err(Kept::Stopped) } else { Ok(()) }
+        if self.is_held() { Err(Kept::Stopped) } else { Ok(()) }
     }
 
     /// Fails if no set-point may go out any more that brakes the arm: a stop has gone out, or is about to.

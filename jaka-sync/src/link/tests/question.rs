@@ -89,7 +89,7 @@ fn the_oldest_posted_command_is_reported_by_its_age() {
     let age = link.oldest_posted(OWNER).expect("it is outstanding");
     assert!(age <= before.elapsed());
     server.write_all([reply("x", 0, ""), reply("x", 0, "")].concat().as_bytes()).expect("the link reads");
-    let (answers, waited) = link.wait_for_posted(OWNER, 0, LONG);
+    let (answers, _, waited) = link.wait_for_posted(OWNER, 0, LONG);
     waited.expect("both are answered");
     assert_eq!((answers.accepted, link.oldest_posted(OWNER)), (2, None));
 }
