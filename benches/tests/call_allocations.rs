@@ -53,7 +53,8 @@ fn a_pipeline_allocates_nothing_once_its_window_has_been_full() {
 #[test]
 fn a_set_point_allocates_nothing_but_room_for_how_late_it_was() {
     let monitor: Monitor = Monitor::connect_with(&Config::new(), status()).expect("the server listens");
-    let mut robot = Robot::new(Client::connect(commands()).expect("the server listens"), monitor).expect("it is the only robot");
+    let mut robot =
+        Robot::new(Client::connect(commands()).expect("the server listens"), monitor).expect("it is the only robot");
     robot.configure(&RobotConfig::new().allow_motion_without_status()).expect("it has no limits");
     // Room for answers that a busy machine lets wait.
     let mut pipeline = robot.client().pipeline(100);
