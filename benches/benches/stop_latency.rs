@@ -1,5 +1,6 @@
-//! Time from the call of a stop to the wire while a program sends as much as it can. The witness is a plain socket that
-//! knows nothing of this SDK. It reports the arrival of the bytes of `stop_program`.
+//! Time from the call of a stop to the wire while a program sends as much as it can, or moves the arm by set-points.
+//! The witness is a plain socket that knows nothing of this SDK. It reports the arrival of the bytes of `stop_program`,
+//! or of the first set-point that is shorter than the one before it.
 //!
 //! Option: `--stops N`, 2000 by default.
 
@@ -15,11 +16,12 @@ use std::time::{Duration, Instant};
 use jaka_benches::system::figures::{Contender, Samples};
 use jaka_benches::system::options;
 use jaka_benches::system::report::{self, Target};
-use jaka_robot::Robot;
+use jaka_robot::{Robot, ServoConfig};
 use jaka_sync::io::SetDigitalOutput;
 use jaka_sync::power::GetVersion;
 use jaka_sync::types::Switch;
 use jaka_sync::{Client, Command, Monitor};
+use serde_json::Value;
 
 type Failure = Box<dyn Error + Send + Sync>;
 type ClientError = jaka_sync::Error;
@@ -48,6 +50,15 @@ const LOADS: [(&str, Load); 5] = [
 const OBSERVERS: [(&str, Duration); 2] =
     [("a robot, packets at 1 kHz", Duration::ZERO), ("the same, observer of 5 ms", Duration::from_millis(5))];
 
+/// Most stops of a session, each of which takes 2 s.
+const IN_SESSION: u32 = 60;
+
+/// Step of a session's set-points, in degrees each 8 ms.
+const STEP: f64 = 0.1;
+
+/// Growth of the first steps, in degrees: 70 deg/s².
+const GAIN: f64 = 0.0045;
+
 const PACKET: &[u8] =
     br#"{"len": 120, "emergency_stop": 0, "protective_stop": 0, "powered_on": 1, "enabled": true, "inpos": false}"#;
 
@@ -74,6 +85,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         contender.samples = beside_packets(stops, observer).map_err(|failure| failure.to_string())?;
         contenders.push(contender);
     }
+    let mut session = Contender::new("a session that moves the arm", |_| Ok(()));
+    session.samples = in_session(stops.min(IN_SESSION)).map_err(|failure| failure.to_string())?;
+    contenders.push(session);
     report::percentiles(&contenders);
     for Contender { name, samples, .. } in &contenders {
         report::verdict(&format!("{name}, p99, ms"), samples.percentile(0.99) / 1000.0, Target::AtMost(BOUND));
@@ -133,6 +147,46 @@ fn beside_packets(stops: u32, observer: Duration) -> Result<Samples, Failure> {
     samples
 }
 
+/// Times of the stops of a session whose set-points move all joints at one speed. Each begins at another moment of the
+/// period.
+fn in_session(stops: u32) -> Result<Samples, Failure> {
+    let (commands, status) = (TcpListener::bind("127.0.0.1:0")?, TcpListener::bind("127.0.0.1:0")?);
+    let (client, monitor) = (Client::connect(commands.local_addr()?)?, Monitor::connect(status.local_addr()?)?);
+    let (arrived, arrivals) = mpsc::channel();
+    let (peer, mut packets) = (commands.accept()?.0, status.accept()?.0);
+    let witness = thread::spawn(move || watch_session(peer, &arrived));
+    let sending = thread::spawn(move || {
+        while packets.write_all(PACKET).is_ok() {
+            thread::sleep(Duration::from_millis(8));
+        }
+    });
+    let mut robot = Robot::new(client, monitor).expect("it is the only robot");
+    let (stop, mut samples) = (robot.stop_handle(), Samples::default());
+    for number in 0..stops {
+        robot.acknowledge();
+        let mut session = robot.enter_servo_mode(ServoConfig::new())?;
+        let moment = Duration::from_micros(100_000 + u64::from(number) * 1700 % 8000);
+        let called = thread::scope(|scope| {
+            let stopping = scope.spawn(|| {
+                thread::sleep(moment);
+                let called = Instant::now();
+                stop.stop().map(|()| called)
+            });
+            let offsets = (1..).map(|cycle| [(f64::from(cycle) * GAIN).min(STEP); 6]);
+            let mut ends = offsets.filter_map(|offset| session.send_joint_offset(offset).err());
+            ends.next();
+            // Brakes. Its errors are the stop, and the rest that these packets do not show.
+            drop(session.land());
+            stopping.join().map_err(|_| "the stop panicked")
+        })??;
+        samples.push(arrivals.recv()?.saturating_duration_since(called));
+    }
+    drop(robot);
+    sending.join().map_err(|_| "the packets' thread panicked")?;
+    witness.join().map_err(|_| "the witness panicked")??;
+    Ok(samples)
+}
+
 fn times<E: Error + Send + Sync + 'static>(
     stops: u32,
     stop: impl Fn() -> Result<(), E>,
@@ -175,6 +229,52 @@ fn watch(mut peer: TcpStream, arrived: &Sender<Instant>) -> Result<(), Failure> 
             write!(replies, "{{\"errorCode\":\"0\",\"errorMsg\":\"\",\"cmdName\":\"{name}\"}}")?;
         }
         peer.write_all(&replies)?;
+    }
+}
+
+/// Accepts each request, and says when a session's first set-point has come that is shorter than the others, or the stop
+/// if there was none.
+fn watch_session(mut peer: TcpStream, arrived: &Sender<Instant>) -> Result<(), Failure> {
+    peer.set_nodelay(true)?;
+    let (mut bytes, mut chunk) = (Vec::new(), vec![0; 4096]);
+    let (mut joint, mut last, mut is_ending, mut is_in_servo_mode) = (0.0, 0.0, false, false);
+    loop {
+        // A program that leaves without reading all replies resets the connection.
+        let len = peer.read(&mut chunk).unwrap_or(0);
+        let now = Instant::now();
+        if len == 0 {
+            return Ok(());
+        }
+        bytes.extend_from_slice(&chunk[..len]);
+        while let Some(end) = bytes.iter().position(|byte| *byte == b'}') {
+            let request: Value = serde_json::from_slice(&bytes.drain(..=end).collect::<Vec<_>>())?;
+            let name = request["cmdName"].as_str().ok_or("a request names no command")?;
+            let mut more = String::new();
+            match name {
+                "servo_j" => {
+                    let step = request["jointPosition"][0].as_f64().ok_or("a set-point has no joints")?;
+                    if step < last && !is_ending {
+                        arrived.send(now)?;
+                        is_ending = true;
+                    }
+                    (joint, last) = (joint + step, step);
+                }
+                "stop_program" if !is_ending => {
+                    arrived.send(now)?;
+                    is_ending = true;
+                }
+                "servo_move" => {
+                    is_in_servo_mode = request["relFlag"] == 1;
+                    if is_in_servo_mode {
+                        (last, is_ending) = (0.0, false);
+                    }
+                }
+                "is_in_servomove" => more = format!(",\"in_servomove\":{is_in_servo_mode}"),
+                "get_joint_pos" => more = format!(",\"joint_pos\":{:?}", [joint; 6]),
+                _ => {}
+            }
+            write!(peer, "{{\"errorCode\":\"0\",\"errorMsg\":\"\",\"cmdName\":\"{name}\"{more}}}")?;
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Owners of requests: their numbers of outstanding requests, and the outcomes of those that they have posted.
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::{BTreeMap, VecDeque};
 use std::time::Instant;
 
 use super::{Failure, Owner, RequestId};
@@ -29,7 +29,7 @@ pub struct PostedOutcomes {
 
 /// The owners that have outstanding requests, or post.
 #[derive(Debug, Default)]
-pub(super) struct Owners(HashMap<Owner, Account>);
+pub(super) struct Owners(BTreeMap<Owner, Account>);
 
 /// The requests of one owner.
 #[derive(Debug, Default)]
@@ -67,7 +67,9 @@ impl Owners {
     pub(super) fn count_off(&mut self, owner: Owner) {
         if let Some(account) = self.0.get_mut(&owner) {
             account.outstanding -= 1;
-            self.drop_unused(owner);
+            if account.is_unused() {
+                self.0.remove(&owner);
+            }
         }
     }
 
@@ -103,16 +105,11 @@ impl Owners {
         if let Some(account) = self.0.get_mut(&owner) {
             account.posts = false;
             account.posted = VecDeque::new();
-            self.drop_unused(owner);
+            if account.is_unused() {
+                self.0.remove(&owner);
+            }
         }
         outcomes
-    }
-
-    /// Drops the account of an owner that neither has outstanding requests nor posts.
-    fn drop_unused(&mut self, owner: Owner) {
-        if self.0.get(&owner).is_some_and(|account| account.outstanding == 0 && !account.posts) {
-            self.0.remove(&owner);
-        }
     }
 }
 
@@ -121,5 +118,10 @@ impl Account {
     pub(super) fn post(&mut self, request: PostedRequest) {
         self.posts = true;
         self.posted.push_back(request);
+    }
+
+    /// True for an owner that neither has outstanding requests nor posts.
+    fn is_unused(&self) -> bool {
+        self.outstanding == 0 && !self.posts
     }
 }

@@ -149,12 +149,15 @@ impl SentRequests {
     ) -> RequestId {
         self.count += 1;
         let id = RequestId(self.count);
-        if self.may_lack(support, &command) {
+        let is_answered = if let Some(name) = self.names.get_mut(&command) {
+            name.outstanding += 1;
+            name.is_answered
+        } else {
+            self.names.insert(command.clone(), Name { outstanding: 1, ..Name::default() });
+            false
+        };
+        if support == Support::Uncertain && !is_answered {
             self.candidates.push_back(id);
-        }
-        match self.names.get_mut(&command) {
-            Some(name) => name.outstanding += 1,
-            None => drop(self.names.insert(command.clone(), Name { outstanding: 1, ..Name::default() })),
         }
         self.outstanding.push_back(SentRequest { id, owner, command, recipient });
         id
@@ -199,12 +202,15 @@ impl SentRequests {
             if self.candidates.front() == Some(&request.id) {
                 self.candidates.pop_front();
             }
-            let others = self.count_off(&request.command);
+            let has_others = self.count_off(&request.command);
             if request.command != command {
                 lost(request);
                 continue;
             }
-            if let Some(name) = others.filter(|_| request.recipient == Recipient::Nobody) {
+            if has_others
+                && request.recipient == Recipient::Nobody
+                && let Some(name) = self.names.get_mut(command)
+            {
                 name.doubtful = true;
             }
             if is_first {
@@ -243,18 +249,18 @@ impl SentRequests {
         Some(request)
     }
 
-    /// Removes a request from the count of its name; returns the rest.
-    fn count_off(&mut self, command: &str) -> Option<&mut Name> {
-        let name = self.names.get_mut(command)?;
+    /// Removes a request from the count of its name; true if others are outstanding.
+    fn count_off(&mut self, command: &str) -> bool {
+        let Some(name) = self.names.get_mut(command) else { return false };
         name.outstanding -= 1;
         if name.outstanding > 0 {
-            return self.names.get_mut(command);
+            return true;
         }
         name.doubtful = false;
         if !name.is_answered {
             self.names.remove(command);
         }
-        None
+        false
     }
 
     fn place(&self, id: RequestId) -> Option<usize> {

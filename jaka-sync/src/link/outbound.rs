@@ -117,10 +117,9 @@ impl Link {
                 (Some(now), Cow::Borrowed(command)) => state.exchange.post(outgoing.owner, support, command, now),
                 (_, name) => state.exchange.send(outgoing.owner, support, name.clone()),
             };
-            state.frame_changes += u64::from(outgoing.changes_frames());
-            state.count_change(outgoing);
-            self.stops.entered(*request, outgoing);
         }
+        state.count_changes(outgoing, outbound.requests.len() as u64);
+        self.stops.entered(&outbound.requests, outgoing);
     }
 
     /// Writes the composed requests until the deadline, and returns the number of bytes that the system has taken.

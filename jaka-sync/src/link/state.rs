@@ -92,11 +92,14 @@ impl LinkState {
         until.filter(|until| !until.is_zero()).unwrap_or(Duration::MAX)
     }
 
-    /// Counts an entered command, unless it is a query.
-    pub(super) fn count_change(&mut self, outgoing: &Outgoing<'_>) {
+    /// Counts entered commands, unless they are queries.
+    pub(super) fn count_changes(&mut self, outgoing: &Outgoing<'_>, count: u64) {
         if !outgoing.is_query() {
-            self.changes += 1;
-            *self.changes_of.entry(outgoing.by).or_default() += 1;
+            self.changes += count;
+            *self.changes_of.entry(outgoing.by).or_default() += count;
+        }
+        if outgoing.changes_frames() {
+            self.frame_changes += count;
         }
     }
 }

@@ -269,12 +269,17 @@ impl Stops {
         UnderWay { stops: Arc::clone(self), kind, number }
     }
 
-    /// Records that a command was entered into the exchange as this request.
-    pub(super) fn entered(&self, request: RequestId, outgoing: &Outgoing<'_>) {
+    /// Records that commands were entered into the exchange as these requests.
+    pub(super) fn entered(&self, requests: &[(usize, RequestId)], outgoing: &Outgoing<'_>) {
+        if !outgoing.may_move() && outgoing.stop.is_none() {
+            return;
+        }
         let mut state = self.state.lock();
-        state.moves += u64::from(outgoing.may_move());
+        if outgoing.may_move() {
+            state.moves += requests.len() as u64;
+        }
         if let Some(number) = outgoing.stop {
-            state.unanswered.push((request, number));
+            state.unanswered.extend(requests.iter().map(|(_, request)| (*request, number)));
         }
     }
 

@@ -122,8 +122,9 @@ const GROWTH: f64 = 0.02;
 const LAST_STEP: f64 = 5700.0 * PERIOD * PERIOD * PERIOD / 6.0;
 /// Travel in 100 ms below which the arm rests, in degrees: 0.5 deg/s.
 const AT_REST: f64 = 0.05;
-/// Such travel of an arm that lags by 100 ms behind the commanded positions, which the controller answers.
-const LAGS_AT_REST: f64 = 0.3;
+/// Speed of the commanded positions, in deg/s, from which a controller brakes within [`AT_REST`], hence between two
+/// answers that show rest. An arm that lags follows it later: answers are commanded positions.
+const BRAKES_UNSEEN: f64 = 8.0;
 
 fn limits() -> Limits {
     Limits::of(Model::named("Zu 5").expect("a published arm"))
@@ -277,6 +278,13 @@ fn furthest(from: &[f64; 6], to: &[f64; 6]) -> f64 {
     from.iter().zip(to).map(|(from, to)| (to - from).abs()).fold(0.0, f64::max)
 }
 
+/// Travel of an arm between the second and the third answer that show rest, 100 and 200 ms after the first, which only
+/// its lag has left, in degrees: what is left to do shrinks exponentially.
+fn lags_behind(lag: Duration) -> f64 {
+    let lag_s = lag.as_secs_f64();
+    BRAKES_UNSEEN * lag_s * (f64::exp(-0.1 / lag_s) - f64::exp(-0.2 / lag_s))
+}
+
 /// Call of a stop.
 #[derive(Debug)]
 struct Stopping {
@@ -369,7 +377,7 @@ impl Run {
         let mut clone = || robot.client().try_clone().expect("the connection is there");
         let (bystander, clone) = (clone(), clone());
         let handles = Handles { robot_stop, stop: clone.stop_handle(), clone };
-        let at_rest = if cell.lag > Duration::from_millis(54) { LAGS_AT_REST } else { AT_REST };
+        let at_rest = AT_REST + lags_behind(cell.lag);
         (Self { places: Places::of(&arm), arm, robot, bystander, at_rest, found: Vec::new() }, handles)
     }
 
