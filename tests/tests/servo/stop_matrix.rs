@@ -122,9 +122,10 @@ const GROWTH: f64 = 0.02;
 const LAST_STEP: f64 = 5700.0 * PERIOD * PERIOD * PERIOD / 6.0;
 /// Travel in 100 ms below which the arm rests, in degrees: 0.5 deg/s.
 const AT_REST: f64 = 0.05;
-/// Speed of the commanded positions, in deg/s, from which a controller brakes within [`AT_REST`], hence between two
-/// answers that show rest. An arm that lags follows it later: answers are commanded positions.
-const BRAKES_UNSEEN: f64 = 8.0;
+/// Greatest change of the answers that show rest, in degrees: 0.5 deg/s over 200 ms.
+const ANSWERS_AT_REST: f64 = 0.1;
+/// Acceleration of joint 6, with which the controller stops it, in deg/s².
+const ACCELERATION: f64 = 70.0;
 
 fn limits() -> Limits {
     Limits::of(Model::named("Zu 5").expect("a published arm"))
@@ -150,7 +151,7 @@ fn step(cycle: u32) -> f64 {
 }
 
 fn turn() -> JointMove {
-    JointMove::relative(by(-3.0), 20.0).acceleration(70.0)
+    JointMove::relative(by(-3.0), 20.0).acceleration(ACCELERATION)
 }
 
 impl Way {
@@ -160,7 +161,7 @@ impl Way {
 
     /// Moves joint 6 until something ends that.
     fn act(self, robot: &mut Robot, arm: &Arm) -> Result<End, Error> {
-        let motion = JointMove::relative(by(TRAVEL), SPEED).acceleration(70.0);
+        let motion = JointMove::relative(by(TRAVEL), SPEED).acceleration(ACCELERATION);
         match self {
             Self::Run => robot.run(&motion, LONG),
             Self::GuardedRun => robot.run(&motion.guard(Numbering::FromOne.cabinet(3).is_high()), LONG),
@@ -278,11 +279,14 @@ fn furthest(from: &[f64; 6], to: &[f64; 6]) -> f64 {
     from.iter().zip(to).map(|(from, to)| (to - from).abs()).fold(0.0, f64::max)
 }
 
-/// Travel of an arm between the second and the third answer that show rest, 100 and 200 ms after the first, which only
-/// its lag has left, in degrees: what is left to do shrinks exponentially.
+/// Travel in the last 100 ms before three answers have shown rest, which only the lag has left, in degrees. Answers are
+/// commanded positions: at the first one these still brake, unseen. An arm that lags is behind by this at their end, and
+/// the rest shrinks exponentially.
 fn lags_behind(lag: Duration) -> f64 {
     let lag_s = lag.as_secs_f64();
-    BRAKES_UNSEEN * lag_s * (f64::exp(-0.1 / lag_s) - f64::exp(-0.2 / lag_s))
+    let behind = ACCELERATION * lag_s * lag_s;
+    let unseen_s = f64::sqrt(2.0 * ANSWERS_AT_REST / ACCELERATION);
+    behind * (f64::exp((unseen_s - 0.1) / lag_s) - f64::exp((unseen_s - 0.2) / lag_s))
 }
 
 /// Call of a stop.
