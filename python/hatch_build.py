@@ -1,4 +1,4 @@
-"""Puts the binary into the wheel, and names its platform: `.ci/wheel` sets both."""
+"""Puts the binary into the wheel, and names its platform: `release/wheel` sets both."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""The wheel as its users have it: run by `.ci/wheel` in an environment that has the wheel and pytest."""
+"""The wheel as its users have it: run by `release/wheel` in an environment that has the wheel and pytest."""
 
 import importlib.metadata
 import json

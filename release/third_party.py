@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Prints the licences of all code of others in the program `jaka` for a target, with their texts.
 
-    .ci/third_party.py x86_64-unknown-linux-musl >THIRD-PARTY-LICENSES
+    release/third_party.py x86_64-unknown-linux-musl >THIRD-PARTY-LICENSES
 
 The crates are those that cargo compiles for the program, build scripts and macros included. Fails where a crate has
 neither the text of a licence nor a licence expression.
@@ -17,7 +17,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # C libraries that the toolchain links into the program, by the end of the target's name.
 RUNTIMES = {
-    "-musl": ("musl, the C library", ROOT / ".ci/notices/musl.txt"),
+    "-musl": ("musl, the C library", ROOT / "release/notices/musl.txt"),
     "-windows-gnu": ("mingw-w64, the C runtime", pathlib.Path("/usr/share/doc/mingw-w64-x86-64-dev/copyright")),
 }
 FILE_NAME = re.compile(r"(licen[cs]e|unlicense|copying|copyright|notice)", re.IGNORECASE)
@@ -98,6 +98,6 @@ def main(target):
 
 
 if len(sys.argv) != 2:
-    sys.exit("usage: .ci/third_party.py TARGET")
+    sys.exit("usage: release/third_party.py TARGET")
 sys.stdout.reconfigure(encoding="utf-8", newline="\n")
 main(sys.argv[1])
