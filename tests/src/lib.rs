@@ -14,11 +14,11 @@ pub mod plain_controller;
 mod random_messages;
 mod recording_buffer;
 mod reserved_port;
+pub mod resources;
 pub mod rig;
 mod seeds;
 pub mod simulated;
 mod skipped;
-pub mod soak;
 mod standstill;
 
 pub use arm::{Arm, ArmBuilder, CYCLE, LONG, followed};

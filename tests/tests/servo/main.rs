@@ -4,7 +4,6 @@ mod braking_delay;
 mod causes;
 mod follow;
 mod generator;
-mod handle_soak;
 mod handles;
 mod held_stops;
 mod held_up;

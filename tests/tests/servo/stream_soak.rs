@@ -19,7 +19,7 @@ use jaka_robot::{
 };
 use jaka_sim::SimulatedClock;
 use jaka_tests::Configured as _;
-use jaka_tests::soak::resident;
+use jaka_tests::resources::resident;
 
 use self::bare::BareLoops;
 use self::wire::Wire;

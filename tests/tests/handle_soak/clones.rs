@@ -29,6 +29,14 @@ const QUERIES: [&str; 6] = [
 /// A command that no spec knows.
 const UNKNOWN: &str = "nobody_knows_it";
 
+/// Tags of each clone.
+const TAGS: u64 = 1_000_000;
+
+/// Number of the clone with this tag.
+pub(super) fn number_of(tag: u64) -> u64 {
+    tag / TAGS
+}
+
 /// Failure of a call.
 enum Failed {
     Call(jaka_sync::Error),
@@ -77,7 +85,7 @@ fn check_refused<T>(result: Result<T, jaka_sync::Error>, tag: u64) -> Result<(),
 
 impl Sender {
     pub(super) fn new(client: Client, number: u32, random: Random, is_led: bool, stall: Option<Duration>) -> Self {
-        let last_tag = u64::from(number + 1) * 1_000_000;
+        let last_tag = u64::from(number + 1) * TAGS;
         Self { client, number, random, is_led, stall, last_tag, sent: Sent::default() }
     }
 

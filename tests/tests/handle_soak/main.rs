@@ -1,27 +1,35 @@
 //! Clones of a client in threads beside each way of moving, by seed. By simulated clocks.
 //!
 //! Witnesses are the requests and replies on the wire, where each reply bears the tag of its request, and the outputs
-//! of the simulated controller. `JAKA_HANDLES_MINUTES=10 cargo test --release -p jaka-tests --test servo handle_soak::`
-//! is the long form, with that many simulated minutes in all.
+//! of the simulated controller. `JAKA_HANDLES_MINUTES=10 cargo test --release -p jaka-tests --test handle_soak` is the
+//! long form, with that many simulated minutes in all.
+//!
+//! One test, alone in its process, so that handles, threads and memory can be counted.
 
 mod clones;
 
+use std::alloc::System;
 use std::collections::HashMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 use std::time::Duration;
 
 use jaka_robot::io::AnalogOutputKind;
+use jaka_robot::jaka_motion::{Checker, Frames, Limits, Model, Trajectory, Via};
 use jaka_robot::motion::JointMove;
 use jaka_robot::{Client, Error, ErrorKind, FollowConfig, Robot, RobotConfig, ServoConfig, StreamConfig, Unchecked};
 use jaka_sim::{Port, SimulatedClock};
+use jaka_tests::resources::{Handles, allocated};
 use jaka_tests::rig::Random;
 use jaka_tests::simulated::{Exchanged, TaggedWire, side_by_side, until};
-use jaka_tests::witness::curve::Curve;
 use jaka_tests::{Arm, Configured as _, LONG};
+use stats_alloc::{INSTRUMENTED_SYSTEM, StatsAlloc};
 
 use self::clones::{Sender, Sent};
-use crate::follow::{START, limits, made};
+
+#[global_allocator]
+static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
 /// Ways of moving.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,15 +40,31 @@ enum Way {
     Trajectory,
 }
 
+const WAYS: [Way; 4] = [Way::Run, Way::Session, Way::Stream, Way::Trajectory];
+
+const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
+/// Maximum growth of the memory between rounds, in bytes.
+const GROWTH: u64 = 2048;
 /// Time for which clones begin to send.
 const SENDING: Duration = Duration::from_millis(2200);
-/// Length of a trajectory, after which no clone sends any more, in seconds.
-const TRAJECTORY_S: u32 = 6;
 /// Commands that no clone gets out while set-points move the arm.
 const KEPT_BACK: [&str; 5] = ["power_off", "disable_robot", "joint_move", "nobody_knows_it", "get_version"];
 
 fn by(joint_6: f64) -> [f64; 6] {
     [0.0, 0.0, 0.0, 0.0, 0.0, joint_6]
+}
+
+fn limits() -> Limits {
+    let limits = Limits::of(Model::named("Zu 5").expect("a published arm"));
+    limits.with_joint_accelerations([300.0; 6]).expect("above 0")
+}
+
+/// To and fro for six seconds and more, after which no clone sends any more.
+fn to_and_fro() -> Trajectory {
+    let places =
+        [0.0, 60.0, -60.0, 0.0].map(|side| Via::joints(std::array::from_fn(|joint| START[joint] + by(side)[joint])));
+    let path = Trajectory::through(places).joint_speeds([40.0; 6]);
+    path.build(&Checker::new(limits(), Frames::new())).expect("within the limits")
 }
 
 fn turn(joint_6: f64) -> JointMove {
@@ -100,14 +124,7 @@ impl Way {
                 }
                 stream.land()?.at_rest()
             }
-            Self::Trajectory => {
-                let place = |second: u32| {
-                    let side = [0.0, 15.0, 0.0, -15.0][second as usize % 4];
-                    (f64::from(second), std::array::from_fn(|joint| START[joint] + by(side)[joint]))
-                };
-                let trajectory = made(&Curve::through(&(0..=TRAJECTORY_S).map(place).collect::<Vec<_>>()));
-                robot.start_follow(&trajectory, &FollowConfig::new().servo(servo))?.wait().reached()
-            }
+            Self::Trajectory => robot.start_follow(&to_and_fro(), &FollowConfig::new().servo(servo))?.wait().reached(),
         }
     }
 }
@@ -217,15 +234,16 @@ fn judge_set_points(exchanged: &[Exchanged], period: Duration, stall: Option<Dur
     found
 }
 
-/// Each tagged request is on the wire once, and pipelines count those that were accepted.
+/// Each tagged request is on the wire once, those of each clone in the order of its calls, and pipelines count those
+/// that were accepted.
 fn judge_replies(exchanged: &[Exchanged], all_sent: &[Sent]) -> Vec<String> {
     let mut found = Vec::new();
-    let mut by_tag = HashMap::new();
-    for one in exchanged {
-        if let Some(tag) = one.tag()
-            && by_tag.insert(tag, one.is_accepted()).is_some()
-        {
-            found.push(format!("{tag} is sent twice"));
+    let (mut by_tag, mut last_tags) = (HashMap::new(), HashMap::new());
+    for (tag, one) in exchanged.iter().filter_map(|one| Some((one.tag()?, one))) {
+        by_tag.insert(tag, one.is_accepted());
+        let last = last_tags.insert(clones::number_of(tag), tag).unwrap_or_default();
+        if tag <= last {
+            found.push(format!("{tag} is sent after {last}"));
         }
     }
     for (tags, accepted) in all_sent.iter().flat_map(|sent| &sent.pipelines) {
@@ -241,38 +259,33 @@ fn judge_replies(exchanged: &[Exchanged], all_sent: &[Sent]) -> Vec<String> {
     found
 }
 
-fn assert_clones_disturb_nothing(way: Way) {
+#[test]
+fn clones_disturb_nothing_and_nothing_is_left_behind() {
     let minutes = std::env::var("JAKA_HANDLES_MINUTES").ok().and_then(|minutes| minutes.parse::<u32>().ok());
-    let least = Duration::from_secs(60) * minutes.unwrap_or_default() / 4;
+    let least = Duration::from_secs(60) * minutes.unwrap_or_default();
     let (mut time, mut found) = (Duration::ZERO, Vec::new());
+    let (handles, mut held) = (Handles::now(), None);
     for seed in 0.. {
         if seed >= 2 && time >= least {
             break;
         }
-        let (took, wrong) = round(way, seed);
-        time += took;
-        found.extend(wrong);
+        for way in WAYS {
+            // A thread keeps the clocks in which it takes part until its end.
+            let round = thread::spawn(move || round(way, seed));
+            let (took, wrong) = round.join().expect("it panics for no reason of its own");
+            time += took;
+            found.extend(wrong);
+        }
+        let now = handles.settle();
+        if now != handles {
+            found.push(format!("after seed {seed} there are {now}, and {handles} before the first"));
+        }
+        let now = allocated(ALLOCATOR);
+        let first = *held.get_or_insert(now);
+        if now > first + GROWTH {
+            found.push(format!("after seed {seed} {now} bytes are allocated, and {first} after the first"));
+        }
     }
-    println!("{way:?}: {time:?}");
+    println!("{time:?}");
     assert!(found.is_empty(), "{} findings:\n{}", found.len(), found.join("\n"));
-}
-
-#[test]
-fn clones_beside_motions_disturb_nothing() {
-    assert_clones_disturb_nothing(Way::Run);
-}
-
-#[test]
-fn clones_beside_a_session_disturb_nothing() {
-    assert_clones_disturb_nothing(Way::Session);
-}
-
-#[test]
-fn clones_beside_a_stream_disturb_nothing() {
-    assert_clones_disturb_nothing(Way::Stream);
-}
-
-#[test]
-fn clones_beside_a_trajectory_disturb_nothing() {
-    assert_clones_disturb_nothing(Way::Trajectory);
 }

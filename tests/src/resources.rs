@@ -3,7 +3,6 @@
 use std::alloc::System;
 use std::fmt;
 use std::fs;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -13,15 +12,16 @@ use stats_alloc::StatsAlloc;
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// Numbers of open files and threads of the process.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Handles {
-    pub(super) files: usize,
-    pub(super) threads: usize,
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Handles {
+    files: usize,
+    threads: usize,
 }
 
 impl Handles {
     /// Nothing where the system does not tell, which is told.
-    pub(super) fn now() -> Self {
+    #[must_use]
+    pub fn now() -> Self {
         let count = |path| {
             let entries = fs::read_dir(path).map(Iterator::count);
             entries.unwrap_or_else(|_| {
@@ -34,7 +34,8 @@ impl Handles {
     }
 
     /// Waits until there are no more than these, and says what there are.
-    pub(super) fn settle(self) -> Self {
+    #[must_use]
+    pub fn settle(self) -> Self {
         let since = Instant::now();
         loop {
             let now = Self::now();
@@ -52,27 +53,9 @@ impl fmt::Display for Handles {
     }
 }
 
-/// The most that was held at once, as far as somebody looked.
-#[derive(Debug, Default)]
-pub(super) struct Peak {
-    files: AtomicUsize,
-    threads: AtomicUsize,
-}
-
-impl Peak {
-    pub(super) fn look(&self) {
-        let now = Handles::now();
-        self.files.fetch_max(now.files, Ordering::Relaxed);
-        self.threads.fetch_max(now.threads, Ordering::Relaxed);
-    }
-
-    pub(super) fn most(&self) -> Handles {
-        Handles { files: self.files.load(Ordering::Relaxed), threads: self.threads.load(Ordering::Relaxed) }
-    }
-}
-
 /// Number of bytes that are allocated and not freed.
-pub(super) fn allocated(allocator: &StatsAlloc<System>) -> u64 {
+#[must_use]
+pub fn allocated(allocator: &StatsAlloc<System>) -> u64 {
     let stats = allocator.stats();
     u64::try_from(stats.bytes_allocated - stats.bytes_deallocated).unwrap_or(u64::MAX)
 }
