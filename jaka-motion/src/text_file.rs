@@ -11,7 +11,7 @@ pub struct FileError {
     pub path: String,
     /// Line, from 1.
     pub line: usize,
-    /// Column in characters, from 1.
+    /// Column in characters, from 1; in CSV that of the line's start.
     pub column: usize,
     /// Description of the error.
     pub message: String,

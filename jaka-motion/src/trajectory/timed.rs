@@ -1,10 +1,9 @@
 //! Trajectories through points with times.
 
-#[cfg(feature = "trajectory-files")]
-mod file;
-
 use jaka_proto::messages::types::JointPosition;
 
+#[cfg(feature = "trajectory-files")]
+use super::file::{self, Format};
 use super::{Passing, TrajectoryError, WayPoint};
 #[cfg(feature = "trajectory-files")]
 use crate::TrajectoryFileError;
@@ -60,9 +59,8 @@ impl TimedPoint {
     ///
     /// The first line that is not blank names the columns, each with its unit and in any order: `time_s`; `joint_1_deg`
     /// to `joint_6_deg`, or `joint_1_rad` and so on; optionally `velocity_1_deg_s` or `velocity_1_rad_s`, and
-    /// `acceleration_1_deg_s2` or `acceleration_1_rad_s2`. Each line after it is a point. Numbers are separated by
-    /// commas and not quoted; lines that are blank or start with `#` do not count. The first time is 0, and times
-    /// increase.
+    /// `acceleration_1_deg_s2` or `acceleration_1_rad_s2`. Each line after it is a point. Fields are separated by commas
+    /// and may be quoted; lines that are blank or start with `#` do not count. The first time is 0, and times increase.
     ///
     /// ```
     /// use jaka_motion::TimedPoint;
@@ -81,16 +79,17 @@ impl TimedPoint {
     /// assert_eq!(
     ///     errors.to_string(),
     ///     "way.csv:1:1: there is no column `joint_6_deg` or `joint_6_rad`\n\
-    ///      way.csv:1:68: unknown column `joint_6`; they are `time_s`, `joint_1_deg`, `joint_1_rad` and the like\n\
-    ///      way.csv:3:5: joint_1_rad: found `O.1`, expected a finite number"
+    ///      way.csv:1:1: unknown column `joint_6`; they are `time_s`, `joint_1_deg`, `joint_1_rad`, `velocity_1_deg_s`, \
+    ///      `velocity_1_rad_s`, `acceleration_1_deg_s2`, `acceleration_1_rad_s2`\n\
+    ///      way.csv:3:1: joint_1_rad: found `O.1`, expected a finite number"
     /// );
     /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
     /// ```
     ///
     /// # Errors
-    /// All errors in the text, each at its line and column.
+    /// All errors in the text, each at its line and with its column's name.
     pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
-        file::read_csv(text, file_name)
+        file::timed(Format::Csv, text, file_name)
     }
 
     /// Reads the points of a JSON text. Errors show `file_name`.
@@ -118,21 +117,21 @@ impl TimedPoint {
     /// # Errors
     /// All errors in the text, each at its line and column; for a text that is not JSON, that error alone.
     pub fn from_json(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
-        file::read_json(text, file_name)
+        file::timed(Format::Json, text, file_name)
     }
 
     /// Writes the points as CSV, in degrees; [`from_csv`](Self::from_csv) reads the same points.
     ///
     /// The text has the columns that all points have.
     pub fn to_csv(points: &[Self]) -> String {
-        file::write_csv(points)
+        file::write(Format::Csv, points)
     }
 
     /// Writes the points as JSON, in degrees; [`from_json`](Self::from_json) reads the same points.
     ///
     /// The text has the keys that all points have.
     pub fn to_json(points: &[Self]) -> String {
-        file::write_json(points)
+        file::write(Format::Json, points)
     }
 }
 
