@@ -127,6 +127,7 @@ struct Reading {
 
 /// Error of a value.
 struct Wrong {
+    #[cfg_attr(not(feature = "toml"), expect(dead_code, reason = "only a file has places"))]
     place: Place,
     message: String,
 }
