@@ -262,8 +262,8 @@ impl Limits {
     /// ```
     ///
     /// # Errors
-    /// Errors in the text, each at its line and column: all errors of TOML; or else the first key or type that is wrong;
-    /// or else all values that cannot be limits.
+    /// Errors in the text, each at its line and column: all errors of TOML; or else the first key or type that is
+    /// wrong; or else all values that cannot be limits.
     #[cfg(feature = "toml")]
     pub fn from_toml(text: &str, file_name: &str) -> Result<Self, crate::LimitsFileError> {
         form::from_toml(text, file_name)

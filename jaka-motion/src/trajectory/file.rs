@@ -11,7 +11,7 @@ use crate::text_file::{FileErrors, Report, nearest};
 
 /// Format of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Format {
+enum Format {
     Csv,
     Json,
 }
@@ -118,8 +118,146 @@ static VIA: Kind = Kind {
 /// Key of the list in a JSON file.
 const POINTS: &str = "points";
 
+impl TimedPoint {
+    /// Reads the points of a CSV text. Errors show `file_name`.
+    ///
+    /// The first line that is not blank names the columns, each with its unit and in any order: `time_s`; `joint_1_deg`
+    /// to `joint_6_deg`, or `joint_1_rad` and so on; optionally `velocity_1_deg_s` or `velocity_1_rad_s`, and
+    /// `acceleration_1_deg_s2` or `acceleration_1_rad_s2`. Each line after it is a point. Fields are separated by
+    /// commas and may be quoted; lines that are blank or start with `#` do not count. The first time is 0, and times
+    /// increase.
+    ///
+    /// ```
+    /// use jaka_motion::TimedPoint;
+    ///
+    /// let text = "\
+    /// time_s,joint_1_rad,joint_2_rad,joint_3_rad,joint_4_rad,joint_5_rad,joint_6_rad
+    /// 0.0,0.0,1.0471975511965976,-1.3962634015954636,3.3161255787892263,-1.5707963267948966,0.0
+    /// 1.0,0.1,1.0471975511965976,-1.3962634015954636,3.3161255787892263,-1.5707963267948966,0.0
+    /// ";
+    /// let points = TimedPoint::from_csv(text, "way.csv")?;
+    /// assert!((points[1].joints.0[1] - 60.0).abs() < 1e-12);
+    /// assert_eq!(TimedPoint::from_csv(&TimedPoint::to_csv(&points), "way.csv")?, points);
+    ///
+    /// let wrong = text.replace("0.1,", "O.1,").replace("joint_6_rad", "joint_6");
+    /// let errors = TimedPoint::from_csv(&wrong, "way.csv").unwrap_err();
+    /// assert_eq!(
+    ///     errors.to_string(),
+    ///     "way.csv:1:1: there is no column `joint_6_deg` or `joint_6_rad`\n\
+    ///      way.csv:1:1: unknown column `joint_6`; they are `time_s`, `joint_1_deg`, `joint_1_rad`, \
+    ///      `velocity_1_deg_s`, `velocity_1_rad_s`, `acceleration_1_deg_s2`, `acceleration_1_rad_s2`\n\
+    ///      way.csv:3:1: joint_1_rad: found `O.1`, expected a finite number"
+    /// );
+    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// All errors in the text, each at its line and with its column's name.
+    pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, FileErrors> {
+        timed(Format::Csv, text, file_name)
+    }
+
+    /// Reads the points of a JSON text. Errors show `file_name`.
+    ///
+    /// The text is an object with a list `points` of objects, whose keys have the units: `time_s`; `joints_deg` or
+    /// `joints_rad`, a list of six numbers; optionally `velocity_deg_s` or `velocity_rad_s`, and `acceleration_deg_s2`
+    /// or `acceleration_rad_s2`. All points have the same keys. The first time is 0, and times increase.
+    ///
+    /// ```
+    /// use jaka_motion::TimedPoint;
+    ///
+    /// let text = r#"{"points": [
+    ///     {"time_s": 0, "joints_deg": [0, 60, -80, 190, -90, 0]},
+    ///     {"time_s": 1, "joints_deg": [5, 60, -80, 190, -90, 0]}
+    /// ]}"#;
+    /// let points = TimedPoint::from_json(text, "way.json")?;
+    /// assert_eq!((points.len(), points[1].joints.0[0]), (2, 5.0));
+    /// assert_eq!(TimedPoint::from_json(&TimedPoint::to_json(&points), "way.json")?, points);
+    ///
+    /// let errors = TimedPoint::from_json(&text.replace("[5,", "[\"5\","), "way.json").unwrap_err();
+    /// assert_eq!(errors.to_string(), "way.json:3:34: joints_deg: found `\"5\"`, expected a finite number");
+    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// All errors in the text, each at its line and column; for a text that is not JSON, that error alone.
+    pub fn from_json(text: &str, file_name: &str) -> Result<Vec<Self>, FileErrors> {
+        timed(Format::Json, text, file_name)
+    }
+
+    /// Writes the points as CSV, in degrees; [`from_csv`](Self::from_csv) reads the same points.
+    ///
+    /// The text has the columns that all points have.
+    pub fn to_csv(points: &[Self]) -> String {
+        write(Format::Csv, points)
+    }
+
+    /// Writes the points as JSON, in degrees; [`from_json`](Self::from_json) reads the same points.
+    ///
+    /// The text has the keys that all points have.
+    pub fn to_json(points: &[Self]) -> String {
+        write(Format::Json, points)
+    }
+}
+
+impl Via {
+    /// Reads the points of a CSV text. Errors show `file_name`.
+    ///
+    /// The first line that is not blank names the columns, each with its unit and in any order: `joint_1_deg` to
+    /// `joint_6_deg` for joint positions, or `x_mm`, `y_mm`, `z_mm`, `rx_deg`, `ry_deg` and `rz_deg` for poses of the
+    /// tool in the user frame; `rad` in place of `deg` for radians. Each line after it is a point. Fields are separated
+    /// by commas and may be quoted; lines that are blank or start with `#` do not count.
+    ///
+    /// ```
+    /// use jaka_motion::Via;
+    ///
+    /// let text = "x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg\n400,0,300,180,0,0\n400,50,300,180,0,0\n";
+    /// assert_eq!(Via::from_csv(text, "seam.csv")?.len(), 2);
+    ///
+    /// let errors = Via::from_csv(&text.replace("rx_deg", "rx_dge"), "seam.csv").unwrap_err();
+    /// assert_eq!(errors.to_string(), "\
+    ///     seam.csv:1:1: there is no column `rx_deg` or `rx_rad`\n\
+    ///     seam.csv:1:1: unknown column `rx_dge`; is it `rx_deg`?");
+    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// All errors in the text, each at its line and with its column's name.
+    pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, FileErrors> {
+        vias(Format::Csv, text, file_name)
+    }
+
+    /// Reads the points of a JSON text. Errors show `file_name`.
+    ///
+    /// The text is an object with a list `points` of objects, whose keys have the units: `joints_deg` or `joints_rad`,
+    /// a list of six numbers; or, for a pose of the tool in the user frame, `position_mm` and `rotation_deg` or
+    /// `rotation_rad`, lists of three. `tool_speed_mm_s`, `corner_mm`, `corner_turn_deg` and `corner_deg` apply only to
+    /// the path to this point and to its corner.
+    ///
+    /// ```
+    /// use jaka_motion::Via;
+    ///
+    /// let text = r#"{"points": [
+    ///     {"joints_deg": [0, 60, -80, 190, -90, 0]},
+    ///     {"position_mm": [400, 0, 300], "rotation_deg": [180, 0, 0], "corner_mm": 20},
+    ///     {"position_mm": [400, 0, 200], "rotation_deg": [180, 0, 0], "tool_speed_mm_s": 50}
+    /// ]}"#;
+    /// assert_eq!(Via::from_json(text, "pick.json")?.len(), 3);
+    ///
+    /// let errors = Via::from_json(&text.replace("corner_mm", "corner_m"), "pick.json").unwrap_err();
+    /// assert_eq!(errors.to_string(), "pick.json:3:77: unknown key `corner_m`; is it `corner_mm`?");
+    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// All errors in the text, each at its line and column; for a text that is not JSON, that error alone.
+    pub fn from_json(text: &str, file_name: &str) -> Result<Vec<Self>, FileErrors> {
+        vias(Format::Json, text, file_name)
+    }
+}
+
 /// Reads points with times: see [`TimedPoint::from_csv`].
-pub(super) fn timed(format: Format, text: &str, file_name: &str) -> Result<Vec<TimedPoint>, FileErrors> {
+fn timed(format: Format, text: &str, file_name: &str) -> Result<Vec<TimedPoint>, FileErrors> {
     let mut report = Report::new(text, file_name);
     let rows = File::new(&TIMED, format, text).rows(&mut report);
     let mut last_s = None;
@@ -146,7 +284,7 @@ pub(super) fn timed(format: Format, text: &str, file_name: &str) -> Result<Vec<T
 }
 
 /// Reads points without times: see [`Via::from_csv`].
-pub(super) fn vias(format: Format, text: &str, file_name: &str) -> Result<Vec<Via>, FileErrors> {
+fn vias(format: Format, text: &str, file_name: &str) -> Result<Vec<Via>, FileErrors> {
     let mut report = Report::new(text, file_name);
     let rows = File::new(&VIA, format, text).rows(&mut report);
     let points = rows.into_iter().map(|Row { numbers: [joints, position, rotation, own @ ..], .. }| {
@@ -164,7 +302,7 @@ pub(super) fn vias(format: Format, text: &str, file_name: &str) -> Result<Vec<Vi
 }
 
 /// Returns the text of points with times, with the digits that distinguish each number from all others.
-pub(super) fn write(format: Format, points: &[TimedPoint]) -> String {
+fn write(format: Format, points: &[TimedPoint]) -> String {
     let lists = |point: &TimedPoint| {
         let all = [Some(point.joints.0), point.velocity, point.velocity.and(point.acceleration)];
         all.into_iter().flatten().collect::<Vec<_>>()

@@ -3,11 +3,7 @@
 use jaka_proto::messages::types::{JointPosition, Pose};
 
 use super::TrajectoryError;
-#[cfg(feature = "trajectory-files")]
-use super::file::{self, Format};
 use super::leg::{LegSpeeds, Tolerances};
-#[cfg(feature = "trajectory-files")]
-use crate::TrajectoryFileError;
 
 /// Point of a trajectory, the path to it, and settings of its own for that path and that point.
 ///
@@ -133,63 +129,6 @@ impl Via {
             turn_deg: self.corner_turn_deg.unwrap_or(all.turn_deg),
             joint_deg: self.corner_deg.unwrap_or(all.joint_deg),
         }
-    }
-}
-
-#[cfg(feature = "trajectory-files")]
-impl Via {
-    /// Reads the points of a CSV text. Errors show `file_name`.
-    ///
-    /// The first line that is not blank names the columns, each with its unit and in any order: `joint_1_deg` to
-    /// `joint_6_deg` for joint positions, or `x_mm`, `y_mm`, `z_mm`, `rx_deg`, `ry_deg` and `rz_deg` for poses of the
-    /// tool in the user frame; `rad` in place of `deg` for radians. Each line after it is a point. Fields are separated
-    /// by commas and may be quoted; lines that are blank or start with `#` do not count.
-    ///
-    /// ```
-    /// use jaka_motion::Via;
-    ///
-    /// let text = "x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg\n400,0,300,180,0,0\n400,50,300,180,0,0\n";
-    /// assert_eq!(Via::from_csv(text, "seam.csv")?.len(), 2);
-    ///
-    /// let errors = Via::from_csv(&text.replace("rx_deg", "rx_dge"), "seam.csv").unwrap_err();
-    /// assert_eq!(errors.to_string(), "\
-    ///     seam.csv:1:1: there is no column `rx_deg` or `rx_rad`\n\
-    ///     seam.csv:1:1: unknown column `rx_dge`; is it `rx_deg`?");
-    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// All errors in the text, each at its line and with its column's name.
-    pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
-        file::vias(Format::Csv, text, file_name)
-    }
-
-    /// Reads the points of a JSON text. Errors show `file_name`.
-    ///
-    /// The text is an object with a list `points` of objects, whose keys have the units: `joints_deg` or `joints_rad`,
-    /// a list of six numbers; or, for a pose of the tool in the user frame, `position_mm` and `rotation_deg` or
-    /// `rotation_rad`, lists of three. `tool_speed_mm_s`, `corner_mm`, `corner_turn_deg` and `corner_deg` apply only to
-    /// the path to this point and to its corner.
-    ///
-    /// ```
-    /// use jaka_motion::Via;
-    ///
-    /// let text = r#"{"points": [
-    ///     {"joints_deg": [0, 60, -80, 190, -90, 0]},
-    ///     {"position_mm": [400, 0, 300], "rotation_deg": [180, 0, 0], "corner_mm": 20},
-    ///     {"position_mm": [400, 0, 200], "rotation_deg": [180, 0, 0], "tool_speed_mm_s": 50}
-    /// ]}"#;
-    /// assert_eq!(Via::from_json(text, "pick.json")?.len(), 3);
-    ///
-    /// let errors = Via::from_json(&text.replace("corner_mm", "corner_m"), "pick.json").unwrap_err();
-    /// assert_eq!(errors.to_string(), "pick.json:3:77: unknown key `corner_m`; is it `corner_mm`?");
-    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// All errors in the text, each at its line and column; for a text that is not JSON, that error alone.
-    pub fn from_json(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
-        file::vias(Format::Json, text, file_name)
     }
 }
 
