@@ -161,15 +161,20 @@ pub(super) fn from_toml(text: &str, file_name: &str) -> Result<Limits, FileError
     let (file, errors) = toml::de::DeTable::parse_recoverable(text);
     let at = |error: &toml::de::Error| error.span().map_or(0, |span| span.start);
     if !errors.is_empty() {
-        errors.iter().for_each(|error| report.error(at(error), format!("not valid TOML: {}", error.message())));
+        for error in errors {
+            report.error(at(&error), format!("not valid TOML: {}", error.message()));
+        }
         return report.finish(Limits::of(&Model::default()));
     }
     let form = Form::deserialize(toml::de::Deserializer::from(file.clone()));
-    let Reading { limits, wrong } = form.map(Form::read).unwrap_or_else(|error| {
-        // Its text is what happened, and the key in a second line.
-        report.error(at(&error), error.to_string().trim_end().replace('\n', " "));
-        Reading { limits: Limits::of(&Model::default()), wrong: Vec::new() }
-    });
+    let Reading { limits, wrong } = form.map_or_else(
+        |error| {
+            // Its text is what happened, and the key in a second line.
+            report.error(at(&error), error.to_string().trim_end().replace('\n', " "));
+            Reading { limits: Limits::of(&Model::default()), wrong: Vec::new() }
+        },
+        Form::read,
+    );
     for Wrong { place, message } in wrong {
         let value = match place {
             Place::Key(key) => file.get_ref().get(key),

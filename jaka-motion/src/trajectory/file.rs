@@ -497,13 +497,12 @@ impl<'t> File<'t> {
     fn name(&self, at: usize, text: &str, before: &[Option<&Name>], report: &mut Report<'_>) -> Option<&Name> {
         let what = if self.format == Format::Csv { "column" } else { "key" };
         let Some(name) = self.names.iter().find(|name| name.text == text) else {
-            let hint = match nearest(text, self.names.iter().map(|name| &*name.text)) {
-                Some(near) => format!("is it `{near}`?"),
-                None => {
-                    let first = self.names.iter().filter(|name| name.index == 0);
-                    format!("they are {}", first.map(|name| format!("`{}`", name.text)).collect::<Vec<_>>().join(", "))
-                }
+            let all = || {
+                let first = self.names.iter().filter(|name| name.index == 0);
+                format!("they are {}", first.map(|name| format!("`{}`", name.text)).collect::<Vec<_>>().join(", "))
             };
+            let near = nearest(text, self.names.iter().map(|name| &*name.text));
+            let hint = near.map_or_else(all, |near| format!("is it `{near}`?"));
             report.error(at, format!("unknown {what} `{text}`; {hint}"));
             return None;
         };
