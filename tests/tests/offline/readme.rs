@@ -477,7 +477,7 @@ const OPENINGS: &[&str] =
     &["What", "How", "Whether", "Where", "Why", "When", "Who", "Which", "That", "Those", "The same"];
 
 /// Doc comments that begin so all the same: texts of the command line's help, and strings of tests.
-const LEFT: usize = 6;
+const LEFT: usize = 5;
 
 /// Greatest width of a line with a comment or prose, in characters. Lines with an address and rows of tables may be
 /// wider.
