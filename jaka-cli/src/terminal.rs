@@ -5,4 +5,3 @@ pub(crate) mod exit;
 pub(crate) mod logging;
 pub(crate) mod output;
 pub(crate) mod question;
-pub(crate) mod raw;

@@ -147,7 +147,7 @@ fn what_is_wrong_with_a_file_is_told_at_its_place() {
     let file = file.display().to_string();
     let run = jaka(["follow", &*file, "--model", "zu5", "--dry-run"]);
     assert_eq!((run.code, run.out.as_str()), (Some(2), ""));
-    assert_eq!(run.err, format!("error: {file}:3:5: joint_2_deg: found `ninety`, expected a finite number\n"));
+    assert_eq!(run.err, format!("error: {file}:3:1: joint_2_deg: found `ninety`, expected a finite number\n"));
     let fast = way("fast.csv", 0.1);
     let run = jaka(["follow", &*fast, "--model", "zu5", "--dry-run"]);
     assert_eq!(run.code, Some(2));

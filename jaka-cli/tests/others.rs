@@ -113,9 +113,6 @@ fn the_help_of_sim_lists_the_faults() {
 
         `link` has a port (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or
         `both`), and a fault: none, hold, delay 80ms, slow 20000, cut
-
-        With `--keys`: c collide, e press-emergency-stop or release-emergency-stop, p cut-power, 0 to 9
-        input 0 high or input 0 low, t tool-input 0 high or tool-input 0 low, ? this list, q quit
     "#]]
     .assert_eq(list);
 }

@@ -30,16 +30,11 @@ pub(crate) fn started(mut command: Command) -> Option<Child> {
     started.ok()
 }
 
-/// A script at work on a terminal.
-pub(crate) fn start_on_terminal(script: &str) -> Option<Child> {
-    let mut command = terminal(script);
-    command.stdout(Stdio::piped()).stderr(Stdio::piped());
-    started(command)
-}
-
 /// Runs the program on a terminal where this is typed. Returns the text that it shows, and its exit code.
 pub(crate) fn on_terminal(line: &str, typed: &str) -> Option<(String, Option<i32>)> {
-    let mut child = start_on_terminal(&format!("exec '{JAKA}' {line}"))?;
+    let mut command = terminal(&format!("exec '{JAKA}' {line}"));
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = started(command)?;
     child.stdin.take().expect("it is piped").write_all(typed.as_bytes()).expect("it is read");
     let (shown, _, code) = ended(child);
     Some((shown.replace("\r\n", "\n"), code))

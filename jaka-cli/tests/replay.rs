@@ -72,21 +72,7 @@ fn everything_is_shown_and_summed_up() {
 }
 
 #[test]
-fn a_port_or_a_command_is_shown_alone() {
-    expect![[r#"
-        recorded by a test, from 2025-11-21 11:53:20 UTC
-            0.005000  status   2  connected to 10.5.5.100:10000
-            0.006000  status   2  <- {"inpos":true}
-            0.056000  status   2  <- {"inpos":true}
-            0.200000  status   2  <- {\xff}
-            0.210000  status   2  3 entries are missing here
-            5.080000  status   2  closed by failure: the connection was reset
-
-        3 status packets, the longest gap 0.144000 s before 0.200000
-        3 entries are missing, because the file could not be written fast enough
-        exit code 0
-    "#]]
-    .assert_eq(&show("status_port.jsonl", SESSION, &["--port", "status"]));
+fn a_command_is_shown_alone() {
     // Also the reply that does not name its command.
     expect![[r#"
         recorded by a test, from 2025-11-21 11:53:20 UTC

@@ -3,17 +3,12 @@
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
 #![cfg(target_os = "linux")]
 
-use std::io::{BufRead, BufReader, Write};
-use std::process::{Child, ChildStdin, Command};
-use std::sync::mpsc::{self, Receiver};
-use std::thread;
-
 use expect_test::{Expect, expect};
 use jaka_sim::Controller;
-use jaka_tests::{Arm, LONG};
+use jaka_tests::Arm;
 
-use crate::program::{address_of, jaka};
-use crate::pseudo::{JAKA, on_terminal, start_on_terminal};
+use crate::program::address_of;
+use crate::pseudo::on_terminal;
 
 /// Runs a line on a controller, with this answer, and compares what is shown.
 fn check(controller: &Controller, line: &str, answer: &str, expected: &Expect) {
@@ -229,85 +224,4 @@ fn whoever_takes_the_seat_is_asked_or_warned() {
         let Some((shown, code)) = on_terminal(&line, "") else { return };
         assert!(code == Some(0) && !shown.contains("serves one client"), "{line}: {shown}");
     }
-}
-
-/// A simulated controller that takes keys, on a terminal of its own.
-struct Keys {
-    child: Child,
-    input: ChildStdin,
-    shown: Receiver<String>,
-    /// Of the program.
-    id: String,
-}
-
-impl Keys {
-    /// None where the machine has no `script`.
-    fn start() -> Option<Self> {
-        let sim = format!("sh -c 'echo $$; exec \"{JAKA}\" sim --keys --commands 0 --status 0'");
-        let script = format!("before=$(stty -g); {sim}; echo code $?; [ $before = $(stty -g) ] && echo restored");
-        let mut child = start_on_terminal(&script)?;
-        let (input, out) = (child.stdin.take().expect("it is piped"), child.stdout.take().expect("it is piped"));
-        let (sender, shown) = mpsc::channel();
-        thread::spawn(move || {
-            let lines = BufReader::new(out).lines().map_while(Result::ok);
-            lines.for_each(|line| drop(sender.send(line.trim_end().to_owned())));
-        });
-        let mut keys = Self { child, input, shown, id: String::new() };
-        keys.id = keys.next();
-        assert!(keys.next().starts_with("commands at 127.0.0.1:"));
-        assert!(keys.next().starts_with("keys: c collide, "));
-        Some(keys)
-    }
-
-    fn next(&self) -> String {
-        self.shown.recv_timeout(LONG).expect("a line comes")
-    }
-
-    /// Presses a key, and returns the line that is shown, without the time.
-    fn press(&mut self, key: &str) -> String {
-        self.input.write_all(key.as_bytes()).expect("the terminal takes it");
-        let line = self.next();
-        line.split_once(" s: ").map_or(line.clone(), |(_, what)| what.to_owned())
-    }
-}
-
-#[test]
-fn keys_say_what_happens_to_a_simulated_arm() {
-    let Some(mut keys) = Keys::start() else { return };
-    for (key, expected) in [
-        ("c", "collide"),
-        ("e", "press-emergency-stop"),
-        ("e", "release-emergency-stop"),
-        ("7", "input 7 high"),
-        ("7", "input 7 low"),
-        ("p", "cut-power"),
-    ] {
-        assert_eq!(keys.press(key), expected, "{key}");
-    }
-    assert!(keys.press("?").starts_with("keys: c collide, "));
-    assert_eq!(keys.press("q"), "code 0");
-}
-
-#[test]
-fn the_terminal_of_keys_is_restored() {
-    for end in ["q", "\x03", "\x04", "TERM", "HUP"] {
-        let Some(mut keys) = Keys::start() else { return };
-        if end.len() > 1 {
-            let killed = Command::new("kill").args([&format!("-{end}"), &keys.id]).status().expect("there is a kill");
-            assert!(killed.success());
-        } else {
-            keys.input.write_all(end.as_bytes()).expect("the terminal takes it");
-        }
-        assert_eq!([keys.next(), keys.next()], ["code 0", "restored"], "{end:?}");
-        assert!(keys.child.wait().expect("it ends").success());
-    }
-}
-
-#[test]
-fn keys_need_a_terminal() {
-    expect![[r#"
-        error: `jaka sim --keys` needs a terminal; --stdin reads words
-        exit code 2
-    "#]]
-    .assert_eq(&jaka(["sim", "--keys", "--commands", "0", "--status", "0"]).text());
 }

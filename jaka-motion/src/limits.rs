@@ -2,8 +2,6 @@
 
 mod axes;
 mod clearance;
-#[cfg(feature = "toml")]
-mod file;
 #[cfg(feature = "serde")]
 mod form;
 mod region;
@@ -41,7 +39,7 @@ use crate::model::Model;
 ///
 /// # serde
 /// With the feature `serde` limits are written and read in the tables and keys of `Limits::from_toml`, with the same
-/// checks and defaults; a list has six numbers. Boxes are read before half-spaces. Two values have no place in a file:
+/// checks and defaults. Boxes are read before half-spaces. Two more values are written:
 /// - `tcp_acceleration_mm_s2` of `stop` is `null` [without](Self::without_stop_tcp_acceleration) that bound. TOML has
 ///   no `null`: such limits come back from it with the default bound.
 /// - `dh` has the parameters of a model [with other ones](Model::with_dh) than the published ones: `alpha_deg`, `a_mm`,
@@ -258,15 +256,17 @@ impl Limits {
     /// assert_eq!((limits.joint_speeds()[5], limits.regions().len()), (90.0, 2));
     ///
     /// let errors = Limits::from_toml("model = \"Zu 5\"\n[tcp]\nspeed_mms = 250", "limits.toml").unwrap_err();
-    /// assert_eq!(errors.to_string(), "limits.toml:3:1: tcp: unknown key `speed_mms`; is it `speed_mm_s`?");
+    /// let expected = "expected `speed_mm_s` or `acceleration_mm_s2` in `tcp`";
+    /// assert_eq!(errors.to_string(), format!("limits.toml:3:1: unknown field `speed_mms`, {expected}"));
     /// # Ok::<(), jaka_motion::LimitsFileError>(())
     /// ```
     ///
     /// # Errors
-    /// All errors in the text, each at its line and column.
+    /// Errors in the text, each at its line and column: all errors of TOML; or else the first key or type that is
+    /// wrong; or else all values that cannot be limits.
     #[cfg(feature = "toml")]
     pub fn from_toml(text: &str, file_name: &str) -> Result<Self, crate::LimitsFileError> {
-        file::read(text, file_name)
+        form::from_toml(text, file_name)
     }
 
     /// Sets the range of a joint, 1 to 6, in degrees.

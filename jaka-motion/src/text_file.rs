@@ -11,7 +11,7 @@ pub struct FileError {
     pub path: String,
     /// Line, from 1.
     pub line: usize,
-    /// Column in characters, from 1.
+    /// Column in characters, from 1; in CSV that of the line's start.
     pub column: usize,
     /// Description of the error.
     pub message: String,
@@ -94,6 +94,7 @@ impl<'t> Report<'t> {
 }
 
 /// Returns the known name that is most like `name`, if one differs by at most a third of its length.
+#[cfg(feature = "trajectory-files")]
 pub(crate) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let most = name.len().div_ceil(3);
     let length = name.chars().count();
@@ -104,6 +105,7 @@ pub(crate) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> O
 }
 
 /// Returns the number of insertions, deletions and changes of characters from one name to the other.
+#[cfg(feature = "trajectory-files")]
 fn distance(one: &str, other: &str) -> usize {
     let mut row: Vec<usize> = (0..=other.chars().count()).collect();
     for (i, a) in one.chars().enumerate() {

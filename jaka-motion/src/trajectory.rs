@@ -1,12 +1,10 @@
 //! Motions that are known from start to end.
 
-#[cfg(feature = "trajectory-files")]
-mod csv;
 mod curve;
 mod curve_path;
 mod error;
 #[cfg(feature = "trajectory-files")]
-mod json;
+mod file;
 mod leg;
 mod line;
 mod path;
@@ -17,8 +15,6 @@ pub(crate) mod through;
 mod timed;
 mod timing;
 mod via;
-#[cfg(feature = "trajectory-files")]
-mod via_file;
 
 use std::fmt;
 use std::sync::Arc;

@@ -11,7 +11,7 @@ use jaka_robot::{FollowHandle, RobotStop};
 
 use crate::failure::{Failure, fact, not_taken};
 use crate::recordings::record;
-use crate::terminal::{exit, logging, output, raw};
+use crate::terminal::{exit, logging, output};
 
 /// Time for a program to end by itself, if it ends with the same code.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -51,16 +51,13 @@ pub(crate) fn on_first_interrupt(call: impl FnOnce() + Send + 'static) {
 pub(crate) fn end_on_interrupt(code: u8) {
     handle(move || {
         // Uses another thread, since the reader of the output may never continue.
-        thread::spawn(move || end_whole(code));
+        thread::spawn(move || {
+            let _whole = stdout().lock();
+            end(code)
+        });
         thread::sleep(PATIENCE);
         end(code);
     });
-}
-
-/// Ends the program with this code, but not in the middle of its output.
-pub(crate) fn end_whole(code: u8) -> ! {
-    let _whole = stdout().lock();
-    end(code)
 }
 
 /// Stage of the requests to the robot, for the handler of Ctrl-C. On Ctrl-C, the program prints the meaning of the
@@ -238,7 +235,6 @@ fn end_with(code: u8, text: &str) -> ! {
 
 /// Ends the program, with another code if its recording cannot be written.
 fn end(code: u8) -> ! {
-    raw::end();
     logging::finish();
     if let Err(failure) = record::finish() {
         exit::report(&failure);

@@ -1,7 +1,6 @@
 //! `jaka sim`: a simulated controller for clients in any language.
 
 mod fault_list;
-mod keys;
 mod schedule;
 
 use std::path::PathBuf;
@@ -14,7 +13,6 @@ use itertools::Itertools as _;
 use jaka_sim::{
     Builder, Controller, Delays, FaultPlan, Firmware, Habits, Model, Scheduled, StopInServo, Takeover, Trip, Underrun,
 };
-use ratatui::crossterm::event::KeyEvent;
 
 use crate::arm::interrupt::end_on_interrupt;
 use crate::choice::{Choice, one_of};
@@ -88,20 +86,9 @@ pub(crate) struct Sim {
     /// Read events from standard input, one a line, as in --schedule; an event without a time occurs at once
     #[arg(long)]
     stdin: bool,
-    /// Take events from single keys of the terminal, without Enter; a list of the keys is printed at the start, and on
-    /// `?`
-    #[arg(long, conflicts_with = "stdin")]
-    keys: bool,
     /// Print each message received and sent
     #[arg(long)]
     log: bool,
-}
-
-/// Input by a person: a line, or a key.
-#[derive(Debug)]
-enum Typed {
-    Event(Scheduled),
-    Key(KeyEvent),
 }
 
 /// Rules for a second client; both were observed.
@@ -118,9 +105,6 @@ impl Sim {
         if self.log {
             logging::print("jaka_sim");
         }
-        if self.keys {
-            keys::must_have_terminal()?;
-        }
         end_on_interrupt(0);
         let controller = self.listen.start(self.builder()?, |controller| {
             if self.powered {
@@ -128,7 +112,6 @@ impl Sim {
             }
         })?;
         let (sender, typed) = mpsc::channel();
-        let _raw = if self.keys { Some(keys::begin(sender.clone())?) } else { None };
         if self.stdin {
             schedule::begin_lines(sender);
         } else {

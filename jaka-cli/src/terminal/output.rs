@@ -19,7 +19,6 @@ use jaka_sync::proto::text::{visible, visible_json, visible_lines};
 use serde::Serialize;
 
 use crate::failure::Failure;
-use crate::terminal::raw::with_returns;
 #[cfg(test)]
 use crate::tests::{stderr, stdout};
 
@@ -29,7 +28,7 @@ pub(crate) const ABSENT: &str = "–";
 /// Writes unchanged bytes immediately, so that a reader of a pipe sees each result at once.
 pub(crate) fn write(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = stdout().lock();
-    out.write_all(&with_returns(bytes)).and_then(|()| out.flush()).map_err(Failure::output)
+    out.write_all(bytes).and_then(|()| out.flush()).map_err(Failure::output)
 }
 
 /// Writes a line.
@@ -108,7 +107,7 @@ pub(crate) fn urgent_note(text: &str) {
 /// Writes to standard error, with colours if enabled. The reader may be gone.
 fn tell(style: Style, kind: &str, text: &str) {
     let text = format!("{style}{kind}:{style:#} {}\n", visible_lines(text));
-    stderr().lock().write_all(&with_returns(text.as_bytes())).ok();
+    stderr().lock().write_all(text.as_bytes()).ok();
 }
 
 /// Returns rows of two aligned columns.

@@ -1,13 +1,8 @@
 //! Trajectories through points with times.
 
-#[cfg(feature = "trajectory-files")]
-mod file;
-
 use jaka_proto::messages::types::JointPosition;
 
 use super::{Passing, TrajectoryError, WayPoint};
-#[cfg(feature = "trajectory-files")]
-use crate::TrajectoryFileError;
 use crate::limits::rounded_up;
 use crate::piece::{Piece, Sample};
 
@@ -51,88 +46,6 @@ impl TimedPoint {
     #[must_use]
     pub fn with_acceleration(self, deg_s2: [f64; 6]) -> Self {
         Self { acceleration: Some(deg_s2), ..self }
-    }
-}
-
-#[cfg(feature = "trajectory-files")]
-impl TimedPoint {
-    /// Reads the points of a CSV text. Errors show `file_name`.
-    ///
-    /// The first line that is not blank names the columns, each with its unit and in any order: `time_s`; `joint_1_deg`
-    /// to `joint_6_deg`, or `joint_1_rad` and so on; optionally `velocity_1_deg_s` or `velocity_1_rad_s`, and
-    /// `acceleration_1_deg_s2` or `acceleration_1_rad_s2`. Each line after it is a point. Numbers are separated by
-    /// commas and not quoted; lines that are blank or start with `#` do not count. The first time is 0, and times
-    /// increase.
-    ///
-    /// ```
-    /// use jaka_motion::TimedPoint;
-    ///
-    /// let text = "\
-    /// time_s,joint_1_rad,joint_2_rad,joint_3_rad,joint_4_rad,joint_5_rad,joint_6_rad
-    /// 0.0,0.0,1.0471975511965976,-1.3962634015954636,3.3161255787892263,-1.5707963267948966,0.0
-    /// 1.0,0.1,1.0471975511965976,-1.3962634015954636,3.3161255787892263,-1.5707963267948966,0.0
-    /// ";
-    /// let points = TimedPoint::from_csv(text, "way.csv")?;
-    /// assert!((points[1].joints.0[1] - 60.0).abs() < 1e-12);
-    /// assert_eq!(TimedPoint::from_csv(&TimedPoint::to_csv(&points), "way.csv")?, points);
-    ///
-    /// let wrong = text.replace("0.1,", "O.1,").replace("joint_6_rad", "joint_6");
-    /// let errors = TimedPoint::from_csv(&wrong, "way.csv").unwrap_err();
-    /// assert_eq!(
-    ///     errors.to_string(),
-    ///     "way.csv:1:1: there is no column `joint_6_deg` or `joint_6_rad`\n\
-    ///      way.csv:1:68: unknown column `joint_6`; they are `time_s`, `joint_1_deg`, `joint_1_rad` and the like\n\
-    ///      way.csv:3:5: joint_1_rad: found `O.1`, expected a finite number"
-    /// );
-    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// All errors in the text, each at its line and column.
-    pub fn from_csv(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
-        file::read_csv(text, file_name)
-    }
-
-    /// Reads the points of a JSON text. Errors show `file_name`.
-    ///
-    /// The text is an object with a list `points` of objects, whose keys have the units: `time_s`; `joints_deg` or
-    /// `joints_rad`, a list of six numbers; optionally `velocity_deg_s` or `velocity_rad_s`, and `acceleration_deg_s2`
-    /// or `acceleration_rad_s2`. All points have the same keys. The first time is 0, and times increase.
-    ///
-    /// ```
-    /// use jaka_motion::TimedPoint;
-    ///
-    /// let text = r#"{"points": [
-    ///     {"time_s": 0, "joints_deg": [0, 60, -80, 190, -90, 0]},
-    ///     {"time_s": 1, "joints_deg": [5, 60, -80, 190, -90, 0]}
-    /// ]}"#;
-    /// let points = TimedPoint::from_json(text, "way.json")?;
-    /// assert_eq!((points.len(), points[1].joints.0[0]), (2, 5.0));
-    /// assert_eq!(TimedPoint::from_json(&TimedPoint::to_json(&points), "way.json")?, points);
-    ///
-    /// let errors = TimedPoint::from_json(&text.replace("[5,", "[\"5\","), "way.json").unwrap_err();
-    /// assert_eq!(errors.to_string(), "way.json:3:34: joints_deg: found `\"5\"`, expected a finite number");
-    /// # Ok::<(), jaka_motion::TrajectoryFileError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// All errors in the text, each at its line and column; for a text that is not JSON, that error alone.
-    pub fn from_json(text: &str, file_name: &str) -> Result<Vec<Self>, TrajectoryFileError> {
-        file::read_json(text, file_name)
-    }
-
-    /// Writes the points as CSV, in degrees; [`from_csv`](Self::from_csv) reads the same points.
-    ///
-    /// The text has the columns that all points have.
-    pub fn to_csv(points: &[Self]) -> String {
-        file::write_csv(points)
-    }
-
-    /// Writes the points as JSON, in degrees; [`from_json`](Self::from_json) reads the same points.
-    ///
-    /// The text has the keys that all points have.
-    pub fn to_json(points: &[Self]) -> String {
-        file::write_json(points)
     }
 }
 

@@ -7,6 +7,7 @@
 mod inspection;
 mod mqtt_control;
 mod ros_driver;
+mod transcripts;
 mod vendor_library;
 
 use std::io::{ErrorKind, Read, Write};

@@ -87,7 +87,7 @@ pub(crate) fn all_files(folder: &Path, extension: &str) -> Vec<PathBuf> {
 }
 
 /// The source files of a crate, without its tests.
-fn sources(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
     let is_test = |file: &PathBuf| {
         file.strip_prefix(folder).expect("it is below").iter().any(|part| part == "tests" || part == "tests.rs")
     };
@@ -105,7 +105,7 @@ fn libraries_that_are_not_compiled_for_tests_have_none() {
 }
 
 /// Code without its comments, and without the module of tests at its end.
-fn code(text: &str) -> String {
+pub(crate) fn code(text: &str) -> String {
     let end = text.find("#[cfg(test)]\nmod tests {").unwrap_or(text.len());
     text[..end].lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }

@@ -2,9 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use jaka_tests::spec;
+
+use crate::architecture::{code, sources};
 
 /// Files that name commands other than by a typed call, with the reason.
 const NAMED: &[(&str, &str, &str)] = &[
@@ -65,9 +67,10 @@ fn named() -> BTreeMap<String, BTreeSet<String>> {
     let mut found = BTreeMap::new();
     for folder in CRATES {
         let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
-        for file in sources(&root.join(folder).join("src")) {
-            let text = fs::read_to_string(&file).expect("a source can be read");
-            let code = code(&text);
+        let files = sources(&root.join(folder).join("src"));
+        for file in files.iter().filter(|file| !file.ends_with("interleavings.rs")) {
+            let code = code(&fs::read_to_string(file).expect("a source can be read"));
+            let code: String = code.lines().filter(|line| !line.trim_start().starts_with("#[doc(alias")).collect();
             let is_in = |command: &&jaka_spec::Command| {
                 let ty = command.request_type();
                 [format!("{ty}::INFO"), format!("Request::{ty}"), format!("\"{}\"", command.wire)]
@@ -92,28 +95,4 @@ fn holds(code: &str, part: &str) -> bool {
         let is_name = |sign: Option<char>| sign.is_some_and(|sign| sign.is_alphanumeric() || sign == '_');
         !is_name(before) && !is_name(after)
     })
-}
-
-/// A source without comments and without the tests at its end.
-fn code(text: &str) -> String {
-    let text = text.split("\n#[cfg(test)]\nmod tests {").next().unwrap_or_default();
-    let is_code = |line: &&str| !["//", "#[doc(alias"].iter().any(|part| line.trim_start().starts_with(part));
-    text.lines().filter(is_code).flat_map(|line| [line, "\n"]).collect()
-}
-
-/// The sources of a folder that are no tests.
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).expect("the folder is there") {
-        let path = entry.expect("it can be read").path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if path.is_dir() && name != "tests" {
-            found.extend(sources(&path));
-        } else if path.extension().is_some_and(|extension| extension == "rs")
-            && !["tests.rs", "interleavings.rs"].contains(&&*name)
-        {
-            found.push(path);
-        }
-    }
-    found
 }

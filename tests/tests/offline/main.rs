@@ -2,7 +2,6 @@
 
 mod architecture;
 mod command_names;
-mod comments;
 mod diff;
 mod document;
 mod dynamic;

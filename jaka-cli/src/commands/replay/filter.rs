@@ -1,4 +1,4 @@
-//! Filter for the shown entries of a recording.
+//! Filter for the shown entries of a recording: those of a command.
 
 use std::collections::{BTreeSet, HashSet};
 use std::time::Duration;
@@ -9,30 +9,20 @@ use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Answer, Answered, Entry, Message, Port, Recording};
 
 use crate::builtin;
-use crate::choice::{Choice, one_of};
 use crate::recordings::recorded::command_of;
 use crate::terminal::output;
 
 /// Options for the selection of entries.
 #[derive(Debug, Args)]
 pub(super) struct FilterArgs {
-    /// Show only the connections to this port
-    #[arg(long, requires = "show", value_parser = one_of(&PORTS))]
-    port: Option<Port>,
     /// Show only the requests of this command, and their replies
-    #[arg(long, value_name = "NAME", requires = "show", conflicts_with = "port")]
+    #[arg(long, value_name = "NAME", requires = "show")]
     command: Option<String>,
 }
 
-const PORTS: [Choice<Port>; 2] =
-    [("command", "Requests and replies", Port::Command), ("status", "Status packets", Port::Status)];
-
-/// Filter for the shown entries of a recording: those of a port, and those of a command.
+/// Filter for the shown entries of a recording: all, or those of a command.
 #[derive(Debug)]
-pub(super) struct Filter {
-    port: Option<Port>,
-    command: Option<CommandFilter>,
-}
+pub(super) struct Filter(Option<CommandFilter>);
 
 /// Requests of a command and their replies.
 #[derive(Debug)]
@@ -46,8 +36,7 @@ impl FilterArgs {
     /// Returns the filter of the options. If the recording has no request of the command, prints the commands that it
     /// has.
     pub(super) fn filter(&self, recording: &Recording) -> Filter {
-        let command = self.command.as_ref().map(|name| CommandFilter::new(name, recording));
-        Filter { port: self.port, command }
+        Filter(self.command.as_ref().map(|name| CommandFilter::new(name, recording)))
     }
 }
 
@@ -56,7 +45,7 @@ impl Filter {
     pub(super) fn shows(&self, entry: &Entry) -> bool {
         let is_of =
             |command: &CommandFilter| entry.event.message().is_some_and(|message| command.shows(entry, message));
-        self.port.is_none_or(|port| entry.port == port) && self.command.as_ref().is_none_or(is_of)
+        self.0.as_ref().is_none_or(is_of)
     }
 
     /// Returns the shown requests, with their outcomes.
@@ -64,7 +53,7 @@ impl Filter {
         let mut answers = recording.answers();
         answers.retain(|answered| {
             let is_of = |command: &CommandFilter| command_of(&answered.request).as_ref() == Some(&command.name);
-            self.port != Some(Port::Status) && self.command.as_ref().is_none_or(is_of)
+            self.0.as_ref().is_none_or(is_of)
         });
         answers
     }

@@ -5,8 +5,6 @@ use std::fmt::Display;
 use itertools::Itertools as _;
 use jaka_sim::{Fault, Happening, LinkFault, StatusFault};
 
-use super::keys;
-
 /// Returns an example of each kind, grouped by purpose.
 pub(super) fn text() -> String {
     format!(
@@ -14,13 +12,11 @@ pub(super) fn text() -> String {
          A reply takes the next one of the list. `for joint_move: drop` is for the replies to a command, `always drop` for all, and \
          `random 7 1/20 drop, reset` for one in twenty, with a seed. The README of jaka-sim explains them.\n\n\
          Events for `--schedule` and `--stdin`, with inputs counted from 0:\n  {}\n\n\
-         `link` has a port (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or `both`), and a fault: {}\n\n\
-         With `--keys`: {}",
+         `link` has a port (`command`, `status` or `both`), a direction (`to-client`, `to-controller` or `both`), and a fault: {}",
         list(&Fault::one_of_each()),
         list(&StatusFault::one_of_each()),
         list(&Happening::one_of_each()),
         list(&LinkFault::one_of_each()),
-        keys::list(),
     )
 }
 

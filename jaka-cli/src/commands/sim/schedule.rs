@@ -7,9 +7,6 @@ use std::time::Duration;
 
 use jaka_sim::{Controller, Scheduled};
 
-use super::Typed;
-use super::keys::{self, Effect};
-use crate::arm::interrupt::end_whole;
 use crate::failure::Failure;
 use crate::terminal::output;
 
@@ -17,7 +14,11 @@ use crate::terminal::output;
 const TICK: Duration = Duration::from_millis(10);
 
 /// Runs the scheduled events and the typed ones, and prints each with its time, until no more can come.
-pub(super) fn run(controller: &Controller, scheduled: Vec<Scheduled>, typed: &Receiver<Typed>) -> Result<(), Failure> {
+pub(super) fn run(
+    controller: &Controller,
+    scheduled: Vec<Scheduled>,
+    typed: &Receiver<Scheduled>,
+) -> Result<(), Failure> {
     let mut ahead = Vec::new();
     for event in scheduled {
         schedule(controller, event, &mut ahead);
@@ -28,15 +29,7 @@ pub(super) fn run(controller: &Controller, scheduled: Vec<Scheduled>, typed: &Re
             output::line(&format!("{:.3} s: {happening}", at.as_secs_f64()))?;
         }
         match typed.recv_timeout(TICK) {
-            Ok(Typed::Event(event)) => schedule(controller, event, &mut ahead),
-            Ok(Typed::Key(key)) => match keys::effect(key, &controller.state()) {
-                Effect::Happens(happening) => {
-                    schedule(controller, Scheduled { happening, at: Duration::ZERO }, &mut ahead);
-                }
-                Effect::Lists => keys::show()?,
-                Effect::Quits => end_whole(0),
-                Effect::Nothing => {}
-            },
+            Ok(event) => schedule(controller, event, &mut ahead),
             Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) if ahead.is_empty() => return Ok(()),
             Err(RecvTimeoutError::Disconnected) => thread::sleep(TICK),
@@ -55,14 +48,14 @@ fn schedule(controller: &Controller, event: Scheduled, ahead: &mut Vec<Scheduled
 }
 
 /// Sends the lines of standard input from a reading thread. Prints an error message for an invalid line.
-pub(super) fn begin_lines(sender: Sender<Typed>) {
+pub(super) fn begin_lines(sender: Sender<Scheduled>) {
     thread::spawn(move || read(&sender));
 }
 
-fn read(sender: &Sender<Typed>) {
+fn read(sender: &Sender<Scheduled>) {
     for line in stdin().lock().lines().map_while(Result::ok).filter(|line| !line.trim().is_empty()) {
         match line.parse() {
-            Ok(event) if sender.send(Typed::Event(event)).is_err() => return,
+            Ok(event) if sender.send(event).is_err() => return,
             Ok(_) => {}
             Err(error) => output::error(&format!("{error}")),
         }

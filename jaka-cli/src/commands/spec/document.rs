@@ -20,10 +20,7 @@ pub(super) struct Reference {
     /// Language; the Chinese edition has the front matter, the traps, the errata and the index, and links to
     /// `REFERENCE.md`
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = one_of(&LANGUAGES))]
-    lang: Edition,
-    /// Write the page of the controller's events instead, by code
-    #[arg(long)]
-    events: bool,
+    lang: Make,
     #[command(flatten)]
     document: Document,
 }
@@ -31,22 +28,12 @@ pub(super) struct Reference {
 /// Generator of a document from a spec.
 type Make = fn(&Spec) -> String;
 
-/// Documents in one language.
-#[derive(Debug, Clone, Copy)]
-struct Edition {
-    reference: Make,
-    events: Make,
-}
-
-const LANGUAGES: [Choice<Edition>; 2] = [
-    ("en", "English", Edition { reference: tools::reference, events: tools::events }),
-    ("zh", "Chinese", Edition { reference: tools::reference_zh, events: tools::events_zh }),
-];
+const LANGUAGES: [Choice<Make>; 2] =
+    [("en", "English", tools::reference as Make), ("zh", "Chinese", tools::reference_zh)];
 
 impl Reference {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let make = if self.events { self.lang.events } else { self.lang.reference };
-        self.document.run(make, visible_lines)
+        self.document.run(self.lang, visible_lines)
     }
 }
 

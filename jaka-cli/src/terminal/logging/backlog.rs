@@ -7,8 +7,6 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use crate::terminal::raw::with_returns;
-
 /// Greatest number of waiting lines; further lines are only counted.
 const MOST: usize = 10_000;
 /// Time for which the end of the program waits for the lines.
@@ -59,7 +57,7 @@ fn write() {
         let missing = std::mem::take(&mut backlog.missing);
         drop(backlog);
         // The reader may be gone.
-        stderr().write_all(&with_returns(text.as_bytes())).ok();
+        stderr().write_all(text.as_bytes()).ok();
         if missing > 0 {
             writeln!(stderr(), "{missing} lines are missing here: they came faster than they could be written").ok();
         }

@@ -114,7 +114,7 @@ fn limits_of_a_file() {
     let controller = healthy();
     let report = check(&controller, &["--yes", "--limits", &file]);
     expect![[r#"
-        error: limits.toml:3:1: tcp: unknown key `speed_mms`; is it `speed_mm_s`?
+        error: limits.toml:3:1: unknown field `speed_mms`, expected `speed_mm_s` or `acceleration_mm_s2` in `tcp`
         exit code 2
     "#]]
     .assert_eq(&report.text().replace(&file, "limits.toml"));

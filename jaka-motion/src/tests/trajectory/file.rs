@@ -34,8 +34,8 @@ fn what_is_written_is_read_as_the_same() {
 
 #[test]
 fn columns_may_come_in_any_order_and_unit() {
-    let text = "\u{feff}# from another program\r\n\r\n joint_2_deg, time_s ,joint_1_rad,joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg\r\n\
-                2,0,3.141592653589793,3,4,5,6\r\n# between\r\n2.5, 1e0 ,+0.5,3,4,5,6";
+    let text = "\u{feff}# from another program\r\n\r\n joint_2_deg, time_s ,\"joint_1_rad\",joint_3_deg,joint_4_deg,joint_5_deg,joint_6_deg\r\n\
+                2,0,3.141592653589793,3,4,5,6\r\n# between\r\n \r\n2.5, 1e0 ,+0.5,3,4,5,6";
     let points = TimedPoint::from_csv(text, "way.csv").expect("it reads");
     let expected = [
         TimedPoint::new(0.0, [180.0, 2.0, 3.0, 4.0, 5.0, 6.0]),
@@ -51,6 +51,7 @@ fn all_that_is_wrong_with_csv_is_said_with_its_place() {
     csv_errors(
         "time,joint_1_deg,joint_1_rad,joint_2_deg,joint_3_deg,joint_4_deg,joint_5_deg,velocity_1_deg_s\n0,0,0\n1,x",
         &[
+            "way.csv:1:1: column `joint_1_rad` appears twice",
             "way.csv:1:1: there is no column `joint_6_deg` or `joint_6_rad`",
             "way.csv:1:1: there is no column `time_s`",
             "way.csv:1:1: there is no column `velocity_2_deg_s` or `velocity_2_rad_s`",
@@ -59,21 +60,19 @@ fn all_that_is_wrong_with_csv_is_said_with_its_place() {
             "way.csv:1:1: there is no column `velocity_5_deg_s` or `velocity_5_rad_s`",
             "way.csv:1:1: there is no column `velocity_6_deg_s` or `velocity_6_rad_s`",
             "way.csv:1:1: unknown column `time`; is it `time_s`?",
-            "way.csv:1:18: column `joint_1_rad` appears twice",
             "way.csv:2:1: found 3 fields, expected 8, as many as columns",
             "way.csv:3:1: found 2 fields, expected 8, as many as columns",
         ],
     );
-    let rows = format!("{CSV}0.5,0,0,0,0,0,0\n1,,é, \"1\",nan,1e999,0\n1,0,0,0,0,0,0\n0.9,0,0,0,0,0,1,2\n");
+    let rows = format!("{CSV}0.5,0,0,0,0,0,0\n1,,é,\"1\",nan,1e999,0\n1,0,0,0,0,0,0\n0.9,0,0,0,0,0,1,2\n");
     csv_errors(
         &rows,
         &[
             "way.csv:2:1: time_s: found `0.5`, expected 0, at the first point",
-            "way.csv:3:3: joint_1_deg: found ``, expected a finite number",
-            "way.csv:3:4: joint_2_deg: found `é`, expected a finite number",
-            "way.csv:3:7: joint_3_deg: found `\"1\"`, expected a finite number",
-            "way.csv:3:11: joint_4_deg: found `nan`, expected a finite number",
-            "way.csv:3:15: joint_5_deg: found `1e999`, expected a finite number",
+            "way.csv:3:1: joint_1_deg: found ``, expected a finite number",
+            "way.csv:3:1: joint_2_deg: found `é`, expected a finite number",
+            "way.csv:3:1: joint_4_deg: found `nan`, expected a finite number",
+            "way.csv:3:1: joint_5_deg: found `1e999`, expected a finite number",
             "way.csv:4:1: time_s: found `1`, expected more than the 1 before it",
             "way.csv:5:1: found 8 fields, expected 7, as many as columns",
         ],
@@ -98,8 +97,8 @@ fn all_that_is_wrong_with_json_is_said_with_its_place() {
     json_errors(
         text,
         &[
-            "way.json:2:20: time_s: found `0.1`, expected 0, at the first point",
-            "way.json:2:73: joints_rad: found 5 numbers, expected six",
+            "way.json:2:9: time_s: found `0.1`, expected 0, at the first point",
+            "way.json:2:73: joints_rad: found 5 numbers, expected 6",
             "way.json:2:73: key `joints_rad` appears twice",
             "way.json:3:9: a point: `time_s` is missing",
             "way.json:3:9: a point: its keys differ from the keys of the first point",
@@ -107,7 +106,7 @@ fn all_that_is_wrong_with_json_is_said_with_its_place() {
             "way.json:3:42: joints_deg: found `true`, expected a finite number",
             "way.json:3:48: joints_deg: found `\"0\"`, expected a finite number",
             "way.json:3:56: joints_deg: found `1e999`, expected a finite number",
-            "way.json:3:82: velocity_rad_s: found 0 numbers, expected six",
+            "way.json:3:82: velocity_rad_s: found 0 numbers, expected 6",
             "way.json:4:9: a point: `joints_deg` or `joints_rad` is missing",
             "way.json:4:9: a point: `velocity_deg_s` or `velocity_rad_s` is missing",
             "way.json:4:9: a point: its keys differ from the keys of the first point",
@@ -146,7 +145,7 @@ fn of_many_errors_the_first_hundred_are_said_and_the_others_counted() {
     let errors = TimedPoint::from_csv(&text, "way.csv").unwrap_err();
     assert_eq!((errors.iter().count(), errors.more()), (100, 399_899));
     let said = errors.to_string();
-    assert!(said.starts_with("way.csv:2:3: ") && said.ends_with("\nand 399899 more errors"), "{said}");
+    assert!(said.starts_with("way.csv:2:1: ") && said.ends_with("\nand 399899 more errors"), "{said}");
 }
 
 #[test]
@@ -175,9 +174,9 @@ fn all_that_is_wrong_with_points_without_times_is_said_with_its_place() {
     ]}"#;
     let errors = Via::from_json(text, "way.json").unwrap_err().to_string();
     let expected = [
-        "way.json:2:24: joints_deg: found 5 numbers, expected six",
-        "way.json:3:9: a point: expected `joints_deg`, or `position_mm` and `rotation_deg`, and not both",
-        "way.json:4:9: a point: expected `joints_deg`, or `position_mm` and `rotation_deg`, and not both",
+        "way.json:2:24: joints_deg: found 5 numbers, expected 6",
+        "way.json:3:9: a point: `rotation_deg` or `rotation_rad` is missing",
+        "way.json:4:9: expected joint positions or a pose, and not both",
         "way.json:5:32: position_mm: found `\"3\"`, expected a finite number",
         "way.json:5:83: unknown key `tool_speed_mms`; is it `tool_speed_mm_s`?",
     ];

@@ -7,7 +7,7 @@ mod values;
 
 use std::time::{Duration, UNIX_EPOCH};
 
-use expect_test::Expect;
+use expect_test::ExpectFile;
 use jaka_sim::{Controller, Firmware, State};
 use jaka_sync::StatusStream;
 use jaka_sync::status::RobotStatus;
@@ -70,9 +70,8 @@ fn rows(buffer: &Buffer) -> Vec<String> {
     rows.map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect()).collect()
 }
 
-fn check(view: &View, (width, height): (u16, u16), expected: &Expect) {
-    // With a border, since expect-test removes common indentation.
+fn check(view: &View, (width, height): (u16, u16), expected: &ExpectFile) {
     let rows = rows(&screen(view, width, height));
-    let text: Vec<_> = rows.iter().map(|row| format!("|{}\n", row.trim_end())).collect();
+    let text: Vec<_> = rows.iter().map(|row| format!("{}\n", row.trim_end())).collect();
     expected.assert_eq(&text.concat());
 }

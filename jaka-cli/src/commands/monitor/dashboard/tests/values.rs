@@ -1,10 +1,8 @@
 //! Display of present and missing values.
 
-#![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them")]
-
 use std::time::Duration;
 
-use expect_test::expect;
+use expect_test::expect_file;
 use jaka_sim::Firmware;
 use jaka_sync::status::RobotStatus;
 use ratatui::buffer::Buffer;
@@ -40,36 +38,7 @@ fn no_text_of_a_controller_reaches_the_screen_raw() {
 
 #[test]
 fn stops_and_errors_stand_out() {
-    check(
-        &after_collision(),
-        (80, 24),
-        &expect![[r#"
-            | jaka monitor  cell1 (10.5.5.100)                             ● live  age 20 ms
-            | rate 20.0/s jitter 0.3 ms longest gap 61 ms skipped 0 unfit 0 reconnects 0
-            |─ State ────────────────────────────────────────────────────────────────────────
-            | Power           on        Enabled         yes       In position     yes
-            | Protective stop yes       Emergency stop  no        Drag mode       off
-            | Program         idle      Task mode       manual    Rapid rate      100 %
-            | Event            error 0x0f0034 collision
-            |─ Joints ──────────────────────────────────────────────── TCP tool 0 user 0 ────
-            |   position ° -360     0      360 current torque  temp   x       -482.000 mm
-            | 1      0.000 ─────────█─────────    0.00   0.00   0.0   y        114.000 mm
-            | 2     90.000 ─────────┼━█───────    0.00   0.00   0.0   z        443.150 mm
-            | 3     90.000 ─────────┼━█───────    0.00   0.00   0.0   rx       180.000 °
-            | 4     90.000 ─────────┼━█───────    0.00   0.00   0.0   ry         0.000 °
-            | 5    -90.000 ───────█━┼─────────    0.00   0.00   0.0   rz        90.000 °
-            | 6      0.000 ─────────█─────────    0.00   0.00   0.0   speed      0.000 mm/s
-            |─ Digital I/O ──────────────────────────────────────────────────────────────────
-            | in         ········ ········ ········ ········ ········ ········ … 0/144 on
-            | out        ········ ········ ········ ········ ········ ········ … 0/144 on
-            | tool in    ········   out ········
-            |─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
-            | 11:55:07 error 0x0f0034 collision
-            | 11:55:07   remedy: look for obstacles around the arm and for signs of a
-            |            collision; check whether the robot's serial number and model are
-            | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
-        "#]],
-    );
+    check(&after_collision(), (80, 24), &expect_file!["screens/after_collision_80x24.txt"]);
 }
 
 #[test]
@@ -93,36 +62,7 @@ fn what_no_packet_says_is_not_a_zero() {
     let mut view = view(RobotStatus::default());
     view.age = None;
     view.link = Link::default();
-    check(
-        &view,
-        (80, 24),
-        &expect![[r#"
-            | jaka monitor  cell1 (10.5.5.100)                                 NO PACKET YET
-            | rate – jitter – longest gap – skipped 0 unfit 0 reconnects 0
-            |─ State ────────────────────────────────────────────────────────────────────────
-            | Power           –         Enabled         –         In position     –
-            | Protective stop –         Emergency stop  –         Drag mode       –
-            | Program         –         Task mode       –         Rapid rate      –
-            | Event           –
-            |─ Joints ──────────────────────────────────────────────── TCP tool – user – ────
-            |   position ° -360     0      360 current torque  temp   x              – mm
-            | 1          – ···················       –      –     –   y              – mm
-            | 2          – ···················       –      –     –   z              – mm
-            | 3          – ···················       –      –     –   rx             – °
-            | 4          – ···················       –      –     –   ry             – °
-            | 5          – ···················       –      –     –   rz             – °
-            | 6          – ···················       –      –     –   speed          – mm/s
-            |─ Digital I/O ──────────────────────────────────────────────────────────────────
-            | in         –
-            | out        –
-            | tool in    –  out –
-            |─ Alarms (UTC) ─────────────────────────────────────────────────────────────────
-            | none since the start
-            |
-            |
-            | q quit  p pause  Tab page  ↑↓ scroll  ? help  Overview I/O Measurements Alarms
-        "#]],
-    );
+    check(&view, (80, 24), &expect_file!["screens/no_packet_80x24.txt"]);
 }
 
 #[test]
