@@ -232,8 +232,8 @@ fn watch(mut peer: TcpStream, arrived: &Sender<Instant>) -> Result<(), Failure> 
     }
 }
 
-/// Accepts each request, and says when a session's first set-point has come that is shorter than the others, or the stop
-/// if there was none.
+/// Accepts each request, and says when a session's first set-point has come that is shorter than the others, or the
+/// stop if there was none.
 fn watch_session(mut peer: TcpStream, arrived: &Sender<Instant>) -> Result<(), Failure> {
     peer.set_nodelay(true)?;
     let (mut bytes, mut chunk) = (Vec::new(), vec![0; 4096]);

@@ -1,5 +1,5 @@
-//! The expansion, as committed for review: the interface of all that is generated with its limits, and the full code with
-//! docs for each shape.
+//! The expansion, as committed for review: the interface of all that is generated with its limits, and the full code
+//! with docs for each shape.
 
 mod interface;
 

@@ -1,5 +1,5 @@
-//! Writes the JSON Schema, and messages for a validator: `schema_messages FOLDER` makes `protocol.schema.json`, `passes/`
-//! with what the client sends and reads, and `fails/` with what it does not send. See `tests/json-schema`.
+//! Writes the JSON Schema and messages for a validator: `schema_messages FOLDER` makes `protocol.schema.json`,
+//! `passes/` with what the client sends and reads, and `fails/` with what it does not send. See `tests/json-schema`.
 
 use std::error::Error;
 use std::fs;

@@ -38,10 +38,10 @@ pub fn reads(client: &mut Client) -> Result<(), Error> {
     copy::<motion::JointMove>();
     let (): () = client.disable_robot()?;
     let id: Option<proto::wire::Typed<String>> = client.get_version()?.robot_id;
-    let state: io::ExtioState = client.get_extio_status()?.extio_status.unwrap().state;
+    let state: io::ExtioState = client.get_extio_status()?.extio_status.state;
     let action = network::NetworkExceptionAction::Keep;
     let wire: i64 = action.into();
-    match client.get_program_state()?.state {
+    match client.get_program_state()?.program_state {
         program::ProgramState::Idle => drop((id, state, wire)),
         _ => {}
     }

@@ -280,8 +280,8 @@ fn furthest(from: &[f64; 6], to: &[f64; 6]) -> f64 {
 }
 
 /// Travel in the last 100 ms before three answers have shown rest, which only the lag has left, in degrees. Answers are
-/// commanded positions: at the first one these still brake, unseen. An arm that lags is behind by this at their end, and
-/// the rest shrinks exponentially.
+/// commanded positions: at the first one these still brake, unseen. An arm that lags is behind by this at their end,
+/// and the rest shrinks exponentially.
 fn lags_behind(lag: Duration) -> f64 {
     let lag_s = lag.as_secs_f64();
     let behind = ACCELERATION * lag_s * lag_s;
