@@ -8,7 +8,8 @@ use serde_json::{Value, json};
 #[test]
 fn each_command_and_each_type_is_defined() {
     let (spec, schema) = (spec(), schema(&spec()));
-    let commands = spec.commands().flat_map(|command| ["request", "reply", "accepted"].map(|of| format!("{of}.{}", command.wire)));
+    let commands =
+        spec.commands().flat_map(|command| ["request", "reply", "accepted"].map(|of| format!("{of}.{}", command.wire)));
     for name in commands.chain(spec.types().map(|(_, def)| format!("lenient.{}", def.name))) {
         assert!(schema["$defs"][&name].is_object(), "{name}");
     }

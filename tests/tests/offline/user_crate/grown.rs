@@ -174,6 +174,8 @@ impl UserCrate {
     pub(crate) fn check(&self) -> Vec<u8> {
         let output = process::Command::new(env!("CARGO"))
             .args(["check", "--offline", "--quiet", "--color=never", "--target-dir"])
+            // An edit changes little of what is compiled.
+            .env("CARGO_INCREMENTAL", "1")
             .arg(self.folder.with_file_name("target"))
             .current_dir(&self.folder)
             .output()
