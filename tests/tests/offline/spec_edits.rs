@@ -25,7 +25,7 @@ enum Noticed {
 use Noticed::{Compiling, Never, Running};
 
 /// What a program does beside making and sending each request.
-const READS: &str = r#"
+const READS: &str = r"
 use jaka_sync::{io, motion, network, power, program, proto};
 
 fn copy<T: Copy>() {}
@@ -51,7 +51,7 @@ pub fn reads(client: &mut Client) -> Result<(), Error> {
     }
     Ok(())
 }
-"#;
+";
 
 const NOTE: &str = "\n[[command.reply]]\nwire = \"note\"\ntype = \"TYPE\"\noptional = true\ndoc = \"A note.\"\n";
 const BLEND: &str = "\n[[command.request]]\nwire = \"blend\"\ntype = \"float\"\noptional = true\ndoc = \"Blending.\"\n\n[[command.example]]";
