@@ -1,6 +1,6 @@
-//! What `diff` says about forty edits of the spec, compared with the compiler: a program that uses the interface stops
-//! compiling where a change is major, and nowhere else. Many edits compile jaka-sync again, so that `.ci/nightly` runs
-//! this alone.
+//! Compares the impact that `diff` states of forty edits of the spec with the compiler: a program that uses the
+//! interface stops compiling where a change is major, and nowhere else. Many edits compile jaka-sync again, so that
+//! `.ci/nightly` runs this alone.
 
 use std::fs;
 
@@ -24,7 +24,7 @@ enum Noticed {
 }
 use Noticed::{Compiling, Never, Running};
 
-/// What a program does beside making and sending each request.
+/// Part of the program that uses replies, types and traits; the rest makes and sends each request.
 const READS: &str = r"
 use jaka_sync::{io, motion, network, power, program, proto};
 
