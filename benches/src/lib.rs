@@ -1,16 +1,12 @@
 //! Shared code of the benchmarks.
 
-pub mod beginning;
 #[path = "../../jaka-cli/src/plots/chart.rs"]
 mod chart;
 pub mod encode;
-pub mod follower;
 pub mod framing;
-pub mod generator;
-pub mod kinematics;
-pub mod limit;
 pub mod measure;
 pub mod peers;
+pub mod planning;
 pub mod reply;
 pub mod status;
 pub mod stream_picture;
@@ -23,9 +19,9 @@ pub const PACKET_OF_DOCUMENT: &str = include_str!("../data/status-document.json"
 /// colon.
 pub const PACKET_OF_NEWER: &str = include_str!("../data/status-newer.json");
 
-/// All works.
+/// All works whose instructions are counted.
 pub fn works() -> Vec<measure::Work<'static>> {
-    [encode::works(), reply::works(), status::works(), framing::works(), kinematics::works()]
+    [encode::works(), reply::works(), status::works(), framing::works(), planning::works()]
         .into_iter()
         .flatten()
         .collect()

@@ -22,11 +22,6 @@ impl<'a> Contender<'a> {
         Self { name, run: Box::new(move |times| (0..times).for_each(|_| drop(black_box(once())))) }
     }
 
-    /// Name of the contender.
-    pub fn name(&self) -> &'static str {
-        self.name
-    }
-
     /// Does the task this many times.
     pub fn run(&mut self, times: u32) {
         (self.run)(times);
@@ -46,27 +41,14 @@ pub enum Target {
     AtMost(&'static str, f64, &'static str),
     /// At least this many times as long.
     AtLeast(&'static str, f64, &'static str),
-    /// At most this many microseconds, whatever the others take.
-    Within(&'static str, f64),
 }
 
-/// With tabs between the parts, for scripts.
-impl std::fmt::Display for Target {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::AtMost(name, factor, than) => write!(f, "{name}\tat most\t{factor}\t{than}"),
-            Self::AtLeast(name, factor, than) => write!(f, "{name}\tat least\t{factor}\t{than}"),
-            Self::Within(name, most) => write!(f, "{name}\twithin\t{most}\tus"),
-        }
-    }
-}
-
-/// A work, its contenders with the limit first, and their targets.
+/// A work, its contenders with ours first, and their targets.
 #[derive(Debug)]
 pub struct Work<'a> {
     /// Name of the work.
     pub name: &'static str,
-    /// Contenders that do the work; the first is the limit.
+    /// Contenders that do the work; the first is ours.
     pub contenders: Vec<Contender<'a>>,
     /// Requirements on the times of the contenders.
     pub targets: Vec<Target>,
@@ -116,10 +98,6 @@ impl Work<'_> {
                 Target::AtLeast(name, factor, than) => {
                     let ratio = ratio(name, than);
                     (format!("{name} at least {factor}x {than}: {ratio:.2}x"), ratio >= factor)
-                }
-                Target::Within(name, most) => {
-                    let time = quartiles(self.of(name, turns).to_vec())[1] / 1e3;
-                    (format!("{name} at most {most} us: {time:.1} us"), time <= most)
                 }
             };
             let _ = writeln!(out, "  target: {words}, {}", if met { "met" } else { "MISSED" });

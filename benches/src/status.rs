@@ -5,10 +5,8 @@ use std::hint::black_box;
 use jaka_proto::framing::Framer;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, Reader};
-use memchr::memmem::Finder;
 use serde_json::Value;
 
-use crate::limit::{one_field, status as limit};
 use crate::measure::{Contender, Target, Work};
 use crate::{PACKET_OF_DOCUMENT, PACKET_OF_NEWER, peers};
 
@@ -23,21 +21,16 @@ pub fn works() -> Vec<Work<'static>> {
 }
 
 fn full(name: &'static str, packet: &'static str) -> Work<'static> {
-    let (mut hand, mut generated) = (RobotStatus::default(), RobotStatus::default());
-    limit::read(packet, &mut hand).expect("the limit takes it");
-    ours(packet, &mut generated);
-    assert_eq!(hand, generated);
-    let limit = move || limit::read(black_box(packet), &mut hand);
-    let ours = move || ours(black_box(packet), &mut generated);
+    let mut status = RobotStatus::default();
+    let ours = move || ours(black_box(packet), &mut status);
     Work {
         name,
         contenders: vec![
-            Contender::new("limit", limit),
             Contender::new("ours", ours),
             Contender::new("serde, typed", || by_serde(black_box(packet))),
             Contender::new("Value, from_value", || by_value(black_box(packet))),
         ],
-        targets: vec![Target::AtMost("ours", 1.6, "limit"), Target::AtLeast("Value, from_value", 3.0, "ours")],
+        targets: vec![Target::AtLeast("Value, from_value", 3.0, "ours")],
     }
 }
 
@@ -65,15 +58,7 @@ jaka_sync::status_subset! {
 }
 
 fn field(name: &'static str, packet: &'static str) -> Work<'static> {
-    let finder = Finder::new("\"joint_actual_position\":");
-    let expected = one_field::joint_actual_position(packet, &finder);
-    assert!(expected.is_some() && framed::<Joints>(packet, &mut Framer::default()).joint_actual_position == expected);
-    let [mut framer_of_limit, mut framer, mut framer_of_full, mut framer_of_serde] =
-        [(); 4].map(|()| Framer::default());
-    let limit = move || {
-        let frame = next(&mut framer_of_limit, black_box(packet));
-        black_box(one_field::joint_actual_position(frame, &finder));
-    };
+    let [mut framer, mut framer_of_full, mut framer_of_serde] = [(); 3].map(|()| Framer::default());
     let ours = move || framed::<Joints>(black_box(packet), &mut framer);
     let mut status = RobotStatus::default();
     let full = move || self::ours(next(&mut framer_of_full, black_box(packet)), &mut status);
@@ -85,7 +70,6 @@ fn field(name: &'static str, packet: &'static str) -> Work<'static> {
     Work {
         name,
         contenders: vec![
-            Contender::new("limit", limit),
             Contender::new("ours", ours),
             Contender::new("ours, full packet", full),
             Contender::new("serde, typed", by_serde),

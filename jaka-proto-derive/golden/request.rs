@@ -1,252 +1,129 @@
-/// Any request of the spec, by its `cmdName`.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Request {
-    /// `power_on`
     PowerOn(power::PowerOn),
-    /// `power_off`
     PowerOff(power::PowerOff),
-    /// `enable_robot`
     EnableRobot(power::EnableRobot),
-    /// `disable_robot`
     DisableRobot(power::DisableRobot),
-    /// `shutdown`
     Shutdown(power::Shutdown),
-    /// `get_robot_state`
     GetRobotState(power::GetRobotState),
-    /// `get_version`
     GetVersion(power::GetVersion),
-    /// `jog`
     Jog(motion::Jog),
-    /// `joint_move`
     JointMove(motion::JointMove),
-    /// `end_move`
     EndMove(motion::EndMove),
-    /// `moveL`
     MoveL(motion::MoveL),
-    /// `movc`
     MoveC(motion::MoveC),
-    /// `wait_complete`
     WaitComplete(motion::WaitComplete),
-    /// `is_in_servomove`
     IsInServomove(servo::IsInServomove),
-    /// `servo_move`
     SetServoMode(servo::SetServoMode),
-    /// `servo_j`
     ServoJ(servo::ServoJ),
-    /// `servo_p`
     ServoP(servo::ServoP),
-    /// `set_servo_move_filter`
     SetServoMoveFilter(servo::SetServoMoveFilter),
-    /// `rapid_rate`
     SetRapidRate(program::SetRapidRate),
-    /// `load_program`
     LoadProgram(program::LoadProgram),
-    /// `get_loaded_program`
     GetLoadedProgram(program::GetLoadedProgram),
-    /// `play_program`
     PlayProgram(program::PlayProgram),
-    /// `pause_program`
     PauseProgram(program::PauseProgram),
-    /// `resume_program`
     ResumeProgram(program::ResumeProgram),
-    /// `stop_program`
     StopProgram(program::StopProgram),
-    /// `get_program_state`
     GetProgramState(program::GetProgramState),
-    /// `set_digital_output`
     SetDigitalOutput(io::SetDigitalOutput),
-    /// `get_digital_input_status`
     GetDigitalInputStatus(io::GetDigitalInputStatus),
-    /// `set_analog_output`
     SetAnalogOutput(io::SetAnalogOutput),
-    /// `get_extio_status`
     GetExtioStatus(io::GetExtioStatus),
-    /// `get_funcdi_status`
     GetFuncdiStatus(io::GetFuncdiStatus),
-    /// `set_tio_vout_param`
     SetTioVoutParam(io::SetTioVoutParam),
-    /// `get_tio_vout_param`
     GetTioVoutParam(io::GetTioVoutParam),
-    /// `set_tool_offsets`
     SetToolOffsets(frames::SetToolOffsets),
-    /// `set_tool_id`
     SetToolId(frames::SetToolId),
-    /// `get_tool_offsets`
     GetToolOffsets(frames::GetToolOffsets),
-    /// `set_user_offsets`
     SetUserOffsets(frames::SetUserOffsets),
-    /// `set_user_id`
     SetUserId(frames::SetUserId),
-    /// `get_user_offsets`
     GetUserOffsets(frames::GetUserOffsets),
-    /// `query_user_defined_variable`
     QueryUserDefinedVariable(variables::QueryUserDefinedVariable),
-    /// `modify_user_defined_variable`
     ModifyUserDefinedVariable(variables::ModifyUserDefinedVariable),
-    /// `set_payload`
     SetPayload(payload::SetPayload),
-    /// `get_payload`
     GetPayload(payload::GetPayload),
-    /// `protective_stop_status`
     ProtectiveStopStatus(collision::ProtectiveStopStatus),
-    /// `set_clsn_sensitivity`
     SetClsnSensitivity(collision::SetClsnSensitivity),
-    /// `get_clsn_sensitivity`
     GetClsnSensitivity(collision::GetClsnSensitivity),
-    /// `clear_error`
     ClearError(collision::ClearError),
-    /// `kine_forward`
     KineForward(kinematics::KineForward),
-    /// `kine_inverse`
     KineInverse(kinematics::KineInverse),
-    /// `get_joint_pos`
     GetJointPos(kinematics::GetJointPos),
-    /// `get_tcp_pos`
     GetTcpPos(kinematics::GetTcpPos),
-    /// `get_dh_param`
     GetDhParam(kinematics::GetDhParam),
-    /// `set_traj_config`
     SetTrajConfig(trajectory::SetTrajConfig),
-    /// `get_traj_config`
     GetTrajConfig(trajectory::GetTrajConfig),
-    /// `set_traj_sample_mode`
     SetTrajSampleMode(trajectory::SetTrajSampleMode),
-    /// `get_traj_sample_status`
     GetTrajSampleStatus(trajectory::GetTrajSampleStatus),
-    /// `get_exist_traj_file_name`
     GetExistTrajFileName(trajectory::GetExistTrajFileName),
-    /// `rename_traj_file_name`
     RenameTrajFileName(trajectory::RenameTrajFileName),
-    /// `remove_traj_file`
     RemoveTrajFile(trajectory::RemoveTrajFile),
-    /// `generate_traj_exe_file`
     GenerateTrajExeFile(trajectory::GenerateTrajExeFile),
-    /// `torque_control_enable`
     SetTorqueControl(force::SetTorqueControl),
-    /// `drag_status`
     DragStatus(force::DragStatus),
-    /// `set_torsenosr_brand`
     SetTorqueSensorBrand(force::SetTorqueSensorBrand),
-    /// `get_torsenosr_brand`
     GetTorqueSensorBrand(force::GetTorqueSensorBrand),
-    /// `set_admit_ctrl_config`
     SetAdmitCtrlConfig(force::SetAdmitCtrlConfig),
-    /// `get_admit_ctrl_config`
     GetAdmitCtrlConfig(force::GetAdmitCtrlConfig),
-    /// `set_torque_sensor_mode`
     SetTorqueSensorMode(force::SetTorqueSensorMode),
-    /// `start_torq_sensor_payload_identify`
     StartTorqSensorPayloadIdentify(force::StartTorqSensorPayloadIdentify),
-    /// `get_torq_sensor_identify_staus`
     GetTorqSensorIdentifyStatus(force::GetTorqSensorIdentifyStatus),
-    /// `get_torq_sensor_payload_identify_result`
     GetTorqSensorPayloadIdentifyResult(force::GetTorqSensorPayloadIdentifyResult),
-    /// `set_tool_payload`
     SetToolPayload(force::SetToolPayload),
-    /// `get_tool_payload`
     GetToolPayload(force::GetToolPayload),
-    /// `set_compliance_condition`
     SetComplianceCondition(force::SetComplianceCondition),
-    /// `enable_admittance_ctrl`
     EnableAdmittanceCtrl(force::EnableAdmittanceCtrl),
-    /// `get_compliant_type`
     GetCompliantType(force::GetCompliantType),
-    /// `set_compliant_type`
     SetCompliantType(force::SetCompliantType),
-    /// `set_torque_sensor_comm`
     SetTorqueSensorComm(force::SetTorqueSensorComm),
-    /// `get_torque_sensor_comm`
     GetTorqueSensorComm(force::GetTorqueSensorComm),
-    /// `disable_force_control`
     DisableForceControl(force::DisableForceControl),
-    /// `set_vel_compliant_ctrl`
     SetVelCompliantCtrl(force::SetVelCompliantCtrl),
-    /// `set_network_exception_handle`
     SetNetworkExceptionHandle(network::SetNetworkExceptionHandle),
-    /// `quit`
     Quit(session::Quit),
-    /// `get_data`
     GetData(beyond_state::GetData),
-    /// `get_motion_state`
     GetMotionState(beyond_state::GetMotionState),
-    /// `emergency_stop_status`
     EmergencyStopStatus(beyond_state::EmergencyStopStatus),
-    /// `is_on_limit`
     IsOnLimit(beyond_state::IsOnLimit),
-    /// `get_drag_status`
     GetDragStatus(beyond_state::GetDragStatus),
-    /// `get_rapid_rate`
     GetRapidRate(beyond_state::GetRapidRate),
-    /// `get_curr_tool_id`
     GetCurrToolId(beyond_state::GetCurrToolId),
-    /// `get_curr_user_id`
     GetCurrUserId(beyond_state::GetCurrUserId),
-    /// `get_actual_joint_pos`
     GetActualJointPos(beyond_state::GetActualJointPos),
-    /// `get_actual_tcp_pos`
     GetActualTcpPos(beyond_state::GetActualTcpPos),
-    /// `get_digital_output`
     GetDigitalOutput(beyond_io::GetDigitalOutput),
-    /// `get_digital_input`
     GetDigitalInput(beyond_io::GetDigitalInput),
-    /// `get_analog_output`
     GetAnalogOutput(beyond_io::GetAnalogOutput),
-    /// `get_analog_input`
     GetAnalogInput(beyond_io::GetAnalogInput),
-    /// `send_tio_rs_command`
     SendTioRsCommand(beyond_io::SendTioRsCommand),
-    /// `get_tio_pin_mode`
     GetTioPinMode(beyond_io::GetTioPinMode),
-    /// `set_tio_pin_mode`
     SetTioPinMode(beyond_io::SetTioPinMode),
-    /// `get_rs485_chn_mode`
     GetRs485ChnMode(beyond_io::GetRs485ChnMode),
-    /// `set_rs485_chn_mode`
     SetRs485ChnMode(beyond_io::SetRs485ChnMode),
-    /// `get_rs485_chn_comm`
     GetRs485ChnComm(beyond_io::GetRs485ChnComm),
-    /// `set_rs485_chn_comm`
     SetRs485ChnComm(beyond_io::SetRs485ChnComm),
-    /// `get_rs485_signal_list`
     GetRs485SignalList(beyond_io::GetRs485SignalList),
-    /// `get_tio_signals`
     GetTioSignals(beyond_io::GetTioSignals),
-    /// `add_tio_rs_signal`
     AddTioRsSignal(beyond_io::AddTioRsSignal),
-    /// `del_tio_rs_signal`
     DeleteTioRsSignal(beyond_io::DeleteTioRsSignal),
-    /// `torque_feedforward`
     TorqueFeedforward(beyond_settings::TorqueFeedforward),
-    /// `set_motion_planner`
     SetMotionPlanner(beyond_settings::SetMotionPlanner),
-    /// `set_motion_limit_warning_range`
     SetMotionLimitWarningRange(beyond_settings::SetMotionLimitWarningRange),
-    /// `get_motion_limit_warning_range`
     GetMotionLimitWarningRange(beyond_settings::GetMotionLimitWarningRange),
-    /// `set_installation_angle`
     SetInstallationAngle(beyond_settings::SetInstallationAngle),
-    /// `get_installation_angle`
     GetInstallationAngle(beyond_settings::GetInstallationAngle),
-    /// `set_torque_sensor_filter`
     SetTorqueSensorFilter(beyond_settings::SetTorqueSensorFilter),
-    /// `set_ft_ctrl_frame`
     SetFtCtrlFrame(beyond_settings::SetFtCtrlFrame),
-    /// `zero_end_sensor`
     ZeroEndSensor(beyond_settings::ZeroEndSensor),
-    /// `set_port10000_delay_ms`
     SetPort10000DelayMs(beyond_settings::SetPort10000DelayMs),
-    /// `get_port10000_delay_ms`
     GetPort10000DelayMs(beyond_settings::GetPort10000DelayMs),
-    /// `setOptionalInfoConfig`
     SetOptionalInfoConfig(beyond_settings::SetOptionalInfoConfig),
-    /// `getOptionalInfoConfig`
     GetOptionalInfoConfig(beyond_settings::GetOptionalInfoConfig),
 }
 impl Request {
-    /// Facts of the spec about each command, topic by topic.
     pub const COMMANDS: &'static [&'static ::jaka_proto::CommandInfo] = _;
-    /// Does something with the request, whatever its type.
     pub fn visit<V: ::jaka_proto::Visit>(&self, visitor: V) -> V::Output {}
 }
 impl From<power::PowerOn> for Request {}

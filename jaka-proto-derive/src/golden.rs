@@ -1,4 +1,5 @@
-//! The expansion, as committed for review: the interface of all that is generated, and the full code for each shape.
+//! The expansion, as committed for review: the interface of all that is generated with its limits, and the full code
+//! with docs for each shape.
 
 mod interface;
 
@@ -12,7 +13,7 @@ use quote::quote;
 use crate::call::Call;
 use crate::scope::{ModulePaths, Scope};
 use crate::{client, compile_errors, error_codes, pack, topic};
-use interface::{interface, interface_without, signatures};
+use interface::{interface, interface_without};
 
 fn pretty(tokens: TokenStream) -> String {
     let file = syn::parse2(tokens).expect("the expansion is valid Rust");
@@ -32,7 +33,7 @@ fn the_interface_of_all_messages() {
     }
     expect_file!["../golden/request.rs"].assert_eq(&interface(topic::requests(&spec)));
     expect_file!["../golden/error_codes.rs"].assert_eq(&interface(error_codes::render(&spec)));
-    expect_file!["../golden/client.rs"].assert_eq(&signatures(client::methods(&spec)));
+    expect_file!["../golden/client.rs"].assert_eq(&interface(client::methods(&spec)));
 }
 
 /// The requests of the calls in the docs. A test of the whole project compares them with the messages.

@@ -1,30 +1,19 @@
-//! Does one task a number of times, for a tool that counts: `repeat "status packet of 9 KB" ours 100`. Without
-//! arguments: the names of all works, contenders and targets.
+//! Does our part of a task a number of times, for a tool that counts: `repeat "status packet of 9 KB" 100`. Without
+//! arguments: the names of all tasks.
 
 use std::process::ExitCode;
-
-use jaka_benches::measure::Work;
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = std::env::args().skip(1).collect();
     let mut works = jaka_benches::works();
-    let [work, contender, times] = arguments.as_slice() else {
-        works.iter().for_each(list);
+    let [name, times] = arguments.as_slice() else {
+        for work in &works {
+            println!("{}", work.name);
+        }
         return ExitCode::SUCCESS;
     };
-    let Ok(times) = times.parse() else { return ExitCode::FAILURE };
-    let work = works.iter_mut().find(|known| known.name == work);
-    let contenders = work.map(|work| &mut work.contenders);
-    match contenders.and_then(|list| list.iter_mut().find(|known| known.name() == contender)) {
-        Some(contender) => contender.run(times),
-        None => return ExitCode::FAILURE,
-    }
+    let work = works.iter_mut().find(|work| work.name == name);
+    let (Some(work), Ok(times)) = (work, times.parse()) else { return ExitCode::FAILURE };
+    work.contenders[0].run(times);
     ExitCode::SUCCESS
-}
-
-/// A line for each target: the work, who has to meet it, which limit, and compared with whom.
-fn list(work: &Work<'_>) {
-    for target in &work.targets {
-        println!("{}\t{}", work.name, target);
-    }
 }

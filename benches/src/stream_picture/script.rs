@@ -5,7 +5,7 @@ use std::error::Error;
 use jaka_motion::{Checker, Dynamics, Frames, Generator, Goal, Limits, Model};
 use jaka_proto::messages::types::JointPosition;
 
-use crate::kinematics::PERIOD;
+use crate::planning::PERIOD;
 
 /// A change of the goal.
 pub(super) struct Moment {

@@ -60,8 +60,8 @@ impl fmt::Display for Difference {
 /// Commands are matched by `cmdName`, fields by key (elements of arrays by name), variants and values by what stands
 /// for them on the wire, error codes and events by number, types by name. They are found in whichever topic they stand.
 ///
-/// The impact follows from the code that the macros of `jaka-proto-derive` write, and `tests/semver` compares it with
-/// the compiler's verdict on random edits:
+/// The impact follows from the code that the macros of `jaka-proto-derive` write. A test compares it with the verdict
+/// of the compiler on forty edits of the spec:
 ///
 /// | change | impact | because |
 /// |---|---|---|

@@ -19,6 +19,7 @@ use crate::Spec;
 /// | `request.joint_move` and so on | a request as the client sends it: nothing else passes |
 /// | `reply.joint_move` and so on | a reply, or a refusal, as the client reads it: any form that controllers use passes |
 /// | `request`, `reply` | any request, any reply |
+/// | `accepted.joint_move` and so on | the fields of a reply to a command that was accepted |
 /// | `refusal` | the reply to a command that was refused |
 /// | `status` | a packet of port 10000 |
 /// | `Pose` and so on | a type as requests have it |

@@ -6,10 +6,17 @@ use jaka_spec::{BUILTIN, Source, Spec, load, load_pack};
 use jaka_tests::spec;
 
 /// A place such as `motion/joint_move/speed`, a text after it, and its replacement.
-type Edit<'t> = (&'t str, &'t str, &'t str);
+pub(crate) type Edit<'t> = (&'t str, &'t str, &'t str);
 
 /// The built-in spec with texts replaced.
 fn edited(edits: &[Edit<'_>]) -> Spec {
+    let files = edited_files(edits);
+    let sources: Vec<_> = files.iter().map(|(path, text)| Source { path, text }).collect();
+    load(&sources).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// The files of the built-in spec with texts replaced.
+pub(crate) fn edited_files(edits: &[Edit<'_>]) -> Vec<(&'static str, String)> {
     let mut files: Vec<_> = BUILTIN.iter().map(|source| (source.path, source.text.to_owned())).collect();
     for (place, from, to) in edits {
         let mut steps = place.split('/');
@@ -19,8 +26,7 @@ fn edited(edits: &[Edit<'_>]) -> Spec {
         let at = start + text[start..].find(from).unwrap_or_else(|| panic!("{place} has no {from}"));
         text.replace_range(at..at + from.len(), to);
     }
-    let sources: Vec<_> = files.iter().map(|(path, text)| Source { path, text }).collect();
-    load(&sources).unwrap_or_else(|errors| panic!("{errors}"))
+    files
 }
 
 /// Position of the first line of the item `name`, which is a wire spelling, a number or a Rust name.
@@ -31,7 +37,7 @@ fn after(text: &str, name: &str) -> usize {
 }
 
 /// The text of a command, from its `[[command]]` to the next.
-fn command_text(file: &str, wire: &str) -> &'static str {
+pub(crate) fn command_text(file: &str, wire: &str) -> &'static str {
     let path = format!("spec/{file}.toml");
     let text = BUILTIN.iter().find(|source| source.path == path).expect("the file is built in").text;
     let start = text.find(&format!("[[command]]\nwire = \"{wire}\"")).expect("the command is there");
@@ -261,7 +267,7 @@ fn fields_of_requests() {
     );
 }
 
-/// Changes that alter constructors, setters and methods: found by `tests/semver`.
+/// Changes that alter constructors, setters and methods: compared with the compiler by `spec_edits`.
 #[test]
 fn functions_that_take_fields() {
     let line = "[[command.request]]\nwire = \"line\"\nname = \"relative_to_tool\"\ntype = \"float\"\noptional = true\ndoc = \"A line.\"\n\n[[command.example]]";

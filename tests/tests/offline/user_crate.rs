@@ -1,6 +1,6 @@
 //! A user's crate with a pack: what the compiler says about it.
 
-mod grown;
+pub(crate) mod grown;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,14 +26,14 @@ static JAKA_ROBOT: LazyLock<PathBuf> = LazyLock::new(|| {
 });
 
 /// A crate in a folder of its own that depends on jaka-robot alone.
-struct UserCrate {
+pub(crate) struct UserCrate {
     folder: PathBuf,
     edition: &'static str,
 }
 
 impl UserCrate {
     /// Each crate has a name of its own, by which its folder is known.
-    fn new(name: &str, edition: &'static str, code: &str) -> Self {
+    pub(crate) fn new(name: &str, edition: &'static str, code: &str) -> Self {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user").join(name);
         if folder.exists() {
             fs::remove_dir_all(&folder).expect("the crate of an earlier run can be removed");

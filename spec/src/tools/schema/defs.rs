@@ -60,10 +60,8 @@ impl<'s> Defs<'s> {
             fields.iter().map(|field| (field.wire.clone(), self.field(fields, field, direction))).collect();
         let required: Vec<_> = fields.iter().filter(|field| !field.optional).map(|field| &field.wire).collect();
         let object = json!({ "type": "object", "properties": properties, "required": required });
-        let rules = if direction == Direction::Sent { advised(self.spec, fields) } else { Vec::new() };
-        let object = if rules.is_empty() { object } else { with(object, "allOf", rules) };
         match direction {
-            Direction::Sent => with(object, "additionalProperties", false),
+            Direction::Sent => with(advised(self.spec, fields, object), "additionalProperties", false),
             Direction::Received => object,
         }
     }
@@ -159,12 +157,36 @@ fn enumeration<T: Display + Clone + Into<Value>>(
     }
 }
 
-/// A schema of the whole object for each row that is advised of one of its fields.
+/// Adds what is advised of the fields of an object. What always holds stands in the schema of the field, beside its
+/// type. What depends on another field stands in `dependentSchemas`: programs that make types of a schema take `allOf`
+/// for parts of a type.
 ///
 /// A bound that grows with a count is exact where the count is left out; otherwise it is that of the greatest count.
-pub(super) fn advised(spec: &Spec, fields: &[Field]) -> Vec<Value> {
-    let rows = fields.iter().flat_map(|field| field.advised.iter().map(move |advice| (field, advice)));
-    rows.flat_map(|(field, advice)| advised_row(spec, fields, field, advice)).collect()
+fn advised(spec: &Spec, fields: &[Field], mut object: Value) -> Value {
+    for field in fields {
+        let rows = field.advised.iter().flat_map(|advice| advised_row(spec, fields, field, advice));
+        let (conditional, always): (Vec<_>, Vec<_>) = rows.partition(|rule| rule.get("if").is_some());
+        for rule in always {
+            narrow(&mut object["properties"], &rule["properties"]);
+        }
+        if !conditional.is_empty() {
+            object["dependentSchemas"][&field.wire] = json!({ "allOf": conditional });
+        }
+    }
+    object
+}
+
+/// Adds the keywords of a bound to a schema, and takes the narrower of two ranges.
+fn narrow(schema: &mut Value, bound: &Value) {
+    for (keyword, value) in bound.as_object().into_iter().flatten() {
+        let own = &mut schema[keyword];
+        match (own.as_f64(), value.as_f64()) {
+            (Some(least), Some(min)) if keyword == "minimum" && least >= min => {}
+            (Some(most), Some(max)) if keyword == "maximum" && most <= max => {}
+            _ if own.is_object() => narrow(own, value),
+            _ => *own = value.clone(),
+        }
+    }
 }
 
 fn advised_row(spec: &Spec, fields: &[Field], field: &Field, advice: &Advice) -> Vec<Value> {

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{Direction, reference};
+use super::{Direction, reference, with};
 use crate::{Scalar, Variant};
 
 const NUMBER: &str = "lenient.float";
@@ -81,7 +81,7 @@ pub(super) fn success() -> Value {
 
 /// The error code of a refused command.
 pub(super) fn refused() -> Value {
-    json!({ "allOf": [reference(CODE), { "not": reference(SUCCESS) }] })
+    with(reference(CODE), "not", reference(SUCCESS))
 }
 
 /// The name of a command, with blanks around it or without.
@@ -98,7 +98,7 @@ pub(super) fn tag(wire: i64) -> Value {
 pub(super) fn other_variant(variants: &[Variant]) -> Value {
     let known: Vec<_> =
         variants.iter().flat_map(|variant| [json!(variant.wire), json!(variant.wire.to_string())]).collect();
-    let tag = json!({ "allOf": [reference(INTEGER), { "not": { "enum": known } }] });
+    let tag = with(reference(INTEGER), "not", json!({ "enum": known }));
     json!({
         "title": "Other",
         "description": "A kind that the spec does not list.",

@@ -46,6 +46,7 @@ pub(super) fn reply(defs: &mut Defs<'_>, command: &Command) -> Value {
     let mut required = vec![json!(NAME)];
     required.extend(accepted["required"].as_array().cloned().unwrap_or_default());
     accepted["required"] = json!(required);
+    let accepted = defs.add(&format!("accepted.{}", command.wire), accepted);
     let bare = command.bare_reply.as_ref().and_then(|name| fields.iter().find(|field| field.name == *name));
     let bare = bare.map(|field| format!("A bare Python tuple in place of JSON stands for `{}`.", field.wire));
     let text = "Further keys may come, in any order. A refusal has none, and may lack the name.";

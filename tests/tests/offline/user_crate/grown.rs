@@ -4,7 +4,7 @@
 
 use std::fmt::Write as _;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process;
 
 use expect_test::{Expect, expect};
@@ -55,7 +55,7 @@ fn grown(spec: &Spec, text: &str) -> String {
 }
 
 /// A function for each command that makes its request and sends it, by its method and by `call`.
-fn program(spec: &Spec) -> String {
+pub(crate) fn program(spec: &Spec) -> String {
     let mut code = "//! A program.\n\n#![allow(deprecated)]\n\nuse jaka_sync::{Client, Error};\n".to_owned();
     for topic in &spec.topics {
         for command in &topic.commands {
@@ -152,7 +152,7 @@ fn workspace() -> &'static Path {
 
 impl UserCrate {
     /// Depends on the jaka-sync of a workspace.
-    fn with_workspace(self, workspace: &Path) -> Self {
+    pub(crate) fn with_workspace(self, workspace: &Path) -> Self {
         // The same versions as here, so that nothing has to be fetched.
         self.write("Cargo.lock", &fs::read_to_string(workspace.join("Cargo.lock")).expect("the workspace has one"));
         let name = self.folder.file_name().expect("it is the crate's name").display();
@@ -167,14 +167,36 @@ impl UserCrate {
     }
 
     fn expect_of_cargo(&self, expected: &Expect) {
+        self.compare(self.check(), expected);
+    }
+
+    /// Compiles the crate by cargo; what cargo says.
+    pub(crate) fn check(&self) -> Vec<u8> {
         let output = process::Command::new(env!("CARGO"))
             .args(["check", "--offline", "--quiet", "--color=never", "--target-dir"])
+            // An edit changes little of what is compiled.
+            .env("CARGO_INCREMENTAL", "1")
             .arg(self.folder.with_file_name("target"))
             .current_dir(&self.folder)
             .output()
             .expect("cargo runs");
-        self.compare(output.stderr, expected);
+        output.stderr
     }
+}
+
+/// Copies jaka-sync and the crates that it needs, as a workspace in a folder of this name.
+pub(crate) fn copied(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).expect("the folder of an earlier run can be removed");
+    }
+    for member in with_dependencies("jaka-sync") {
+        copy(&workspace().join(member), &folder.join(member));
+    }
+    for file in ["Cargo.toml", "Cargo.lock"] {
+        fs::copy(workspace().join(file), folder.join(file)).expect("it can be copied");
+    }
+    folder
 }
 
 /// Copies the sources of a crate.
@@ -215,16 +237,7 @@ fn an_edit_of_a_pack_is_noticed() {
 #[ignore = "a step of .ci/run"]
 fn a_program_compiles_after_ten_commands_have_got_an_optional_field() {
     let spec = jaka_spec::builtin().expect("the spec is correct");
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("grown");
-    if folder.exists() {
-        fs::remove_dir_all(&folder).expect("the folder of an earlier run can be removed");
-    }
-    for member in with_dependencies("jaka-sync") {
-        copy(&workspace().join(member), &folder.join(member));
-    }
-    for file in ["Cargo.toml", "Cargo.lock"] {
-        fs::copy(workspace().join(file), folder.join(file)).expect("it can be copied");
-    }
+    let folder = copied("grown");
     let texts: Vec<_> = jaka_spec::BUILTIN.iter().map(|source| (source.path, grown(&spec, source.text))).collect();
     for (path, text) in &texts {
         fs::write(folder.join(path), text).expect("the file can be written");
