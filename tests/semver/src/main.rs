@@ -34,13 +34,11 @@ mod generator {
     pub(crate) mod enums;
     pub(crate) mod error_codes;
     pub(crate) mod events;
-    pub(crate) mod forms;
     pub(crate) mod literal;
     pub(crate) mod motion;
     pub(crate) mod role;
     pub(crate) mod scope;
     pub(crate) mod topic;
-    pub(crate) mod type_forms;
     pub(crate) mod typedef;
     pub(crate) mod validate;
 }
@@ -48,8 +46,8 @@ mod generator {
 // Modules of the macro crate name one another from its root.
 #[allow(unused_imports, reason = "each is named by some module of the macro crate")]
 use generator::{
-    call, choice, client, codec, command, construct, docs, enums, error_codes, events, forms, literal, motion, role,
-    scope, topic, type_forms, typedef, validate,
+    call, choice, client, codec, command, construct, docs, enums, error_codes, events, literal, motion, role, scope,
+    topic, typedef, validate,
 };
 
 use std::env;

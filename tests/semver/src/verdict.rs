@@ -116,8 +116,6 @@ const NOTICED: &[(&str, Noticed)] = &[
     ("advised range ", Noticed::Running),
     ("takes printable ASCII only", Noticed::Running),
     ("only newer firmware takes it", Noticed::Running),
-    // A command is not sent before the firmware is known.
-    ("other forms by firmware", Noticed::Running),
     // The module of a pack, which is not compiled here, has another trait.
     ("source for a robot", Noticed::Running),
     // A reply that was read is an error.

@@ -43,7 +43,6 @@ pub(super) const KINDS: &[Kind] = &[
     },
     Kind { name: "field since", make: |d, r| any(d, r).map(|place| toggle(d, &place, "since", "1.5")) },
     Kind { name: "field until", make: |d, r| any(d, r).map(|place| toggle(d, &place, "until", "1.7")) },
-    Kind { name: "form of a field", make: form },
     Kind { name: "field doc", make: |d, r| any(d, r).map(|place| set(d, &place, "doc", "Another text.")) },
 ];
 
@@ -224,12 +223,6 @@ fn ascii(draft: &mut Draft, random: &mut Random) -> Option<String> {
 fn written(draft: &mut Draft, random: &mut Random) -> Option<String> {
     let place = with(draft, random, |field| text(field, "type").starts_with("bool"))?;
     Some(toggle(draft, &place, "written", tables("['no', 'yes']")))
-}
-
-/// Another key in some firmware.
-fn form(draft: &mut Draft, random: &mut Random) -> Option<String> {
-    let place = with(draft, random, |field| field.contains_key("wire"))?;
-    Some(toggle(draft, &place, "form", tables("[{ since = '1.7', wire = 'demo_form' }]")))
 }
 
 /// Into a Python literal, or out of one.

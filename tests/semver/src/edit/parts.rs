@@ -13,7 +13,6 @@ pub(super) const KINDS: &[Kind] = &[
     Kind { name: "type moved", make: type_moved },
     Kind { name: "kind of a type", make: kind },
     Kind { name: "exact", make: exact },
-    Kind { name: "form of a type", make: form },
     Kind { name: "wrapped type", make: wrapped },
     Kind { name: "unit of a wrapper", make: wrapper_unit },
     Kind { name: "value added", make: value_added },
@@ -178,12 +177,6 @@ fn kind(draft: &mut Draft, random: &mut Random) -> Option<String> {
 fn exact(draft: &mut Draft, random: &mut Random) -> Option<String> {
     let place = pick(draft, random, draft.types(), |def| def.get("kind").and_then(Value::as_str) == Some("array"))?;
     Some(toggle(draft, &place, "exact", true))
-}
-
-/// An object in place of an array in some firmware.
-fn form(draft: &mut Draft, random: &mut Random) -> Option<String> {
-    let place = pick(draft, random, draft.types(), |def| def.get("kind").and_then(Value::as_str) == Some("array"))?;
-    Some(toggle(draft, &place, "form", tables("[{ since = '1.7', kind = 'object' }]")))
 }
 
 fn wrapper(draft: &Draft, random: &mut Random) -> Option<Place> {
