@@ -1,5 +1,5 @@
-//! A spec, and queries of it: items by name, types by their shape on the wire, forms by firmware, and the sources of
-//! the status that a robot needs.
+//! A spec, and queries of it: items by name, types by their shape on the wire, and the sources of the status that a
+//! robot needs.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Index;
@@ -132,8 +132,8 @@ impl Spec {
         }
     }
 
-    /// True if a type is defined here as in another spec, with all the types of which it is made, but for docs, ranges,
-    /// versions, and forms by firmware.
+    /// True if a type is defined here as in another spec, with all the types of which it is made, but for docs, ranges
+    /// and versions.
     pub fn defines_as(&self, other: &Self, ty: &Type) -> bool {
         let Some(id) = ty.named() else { return true };
         let def = &self[id];

@@ -28,7 +28,7 @@ pub(crate) fn fields<'s>(
         if taken.is_some() {
             keys.add(item, "key", &wire);
         }
-        let field = read(item, wire.value, &name, index);
+        let field = read(item, wire.value, name, index);
         if taken.is_none() && optional_seen && !field.optional {
             item.error(item.at, OPTIONAL_LAST);
         }
@@ -45,7 +45,7 @@ pub(crate) const OPTIONAL_LAST: &str = "an element after an optional one must be
 /// One field of a struct; `taken` as in [`fields`].
 pub(crate) fn field<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>, index: &mut Index<'s>) -> Field {
     let (wire, name) = key_and_name(item, taken);
-    read(item, wire.value, &name, index)
+    read(item, wire.value, name, index)
 }
 
 fn key_and_name<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>) -> (Placed<'s, String>, Placed<'s, String>) {
@@ -58,11 +58,11 @@ fn key_and_name<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>) -> (Placed<'s, 
     (wire, name)
 }
 
-fn read<'s>(item: &Item<'_, 's>, wire: String, name: &Placed<'s, String>, index: &mut Index<'s>) -> Field {
-    check_name(item, name);
+fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: &mut Index<'s>) -> Field {
+    check_name(item, &name);
     let ty = field_type(item, index);
     let field = Field {
-        name: name.value.clone(),
+        name: name.value,
         constructors: constructors(item, &ty, index),
         ty,
         unit: item.text("unit").map(|text| text.value),
