@@ -57,7 +57,6 @@ pub trait Visit {
 /// Facts of the spec about a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub struct CommandInfo {
     /// `cmdName` on the wire.
     pub name: &'static str,
