@@ -166,7 +166,6 @@ pub(crate) fn verb(remedy: Remedy) -> Option<Cow<'static, str>> {
         Remedy::ConnectAndStop => {
             "use the emergency stop, or `jaka stop`, which takes the command port back and stops the arm"
         }
-        Remedy::Connection(jaka_sync::Remedy::CheckFirmware) => "`jaka call get_version` reads the firmware",
         Remedy::Connection(jaka_sync::Remedy::CheckNetwork | jaka_sync::Remedy::ConnectStatusAgain) => {
             "check the network; try `jaka stop`: commands may still pass"
         }

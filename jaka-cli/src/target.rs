@@ -21,7 +21,6 @@ use jaka_sim::{Builder, Controller, Delays, Model};
 
 use self::address::RobotAddress;
 use self::environment::Environment;
-use crate::builtin;
 use crate::failure::Failure;
 use crate::recordings::record;
 use crate::text::seconds::some_seconds;
@@ -246,11 +245,7 @@ impl Target {
     /// Connects to both ports, and waits for the first status packet.
     pub(crate) fn robot<S: MotionStatus>(&self) -> Result<Robot<S>, Failure> {
         let monitor = Monitor::connect_with(&self.config, &self.address.status)?;
-        let mut client = self.client()?;
-        if builtin::of_status().varies_by_firmware() {
-            monitor.set_firmware(Some(client.check_firmware()?));
-        }
-        let robot = Robot::with_monitor(client, monitor).map_err(jaka_robot::Error::from)?;
+        let robot = Robot::with_monitor(self.client()?, monitor).map_err(jaka_robot::Error::from)?;
         robot.monitor().wait_until(|_| true, self.config.get_reply_timeout())?;
         Ok(robot)
     }

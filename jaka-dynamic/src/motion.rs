@@ -113,13 +113,13 @@ impl Fields<'_> {
             return Err(format!("a pack has changed the type of `{}`", field.wire));
         }
         let text = self.values.get(&field.wire).map(Value::to_string).unwrap_or_default();
-        T::decode(&mut Reader::in_own_form(&text)).map_err(|error| format!("`{}`: {error}", field.wire))
+        T::decode(&mut Reader::new(&text)).map_err(|error| format!("`{}`: {error}", field.wire))
     }
 }
 
 /// Returns the facts of a command of a spec that is loaded at run time, in the form of a generated command's. They stay
 /// in memory until the program ends: call this once for a command.
-pub fn command_info(spec: &Spec, command: &Command) -> &'static CommandInfo {
+pub fn command_info(command: &Command) -> &'static CommandInfo {
     let leaked = |text: &str| &*Box::leak(text.to_owned().into_boxed_str());
     let section = command.section.as_deref().unwrap_or_default();
     let effect = match command.effect {
@@ -137,7 +137,6 @@ pub fn command_info(spec: &Spec, command: &Command) -> &'static CommandInfo {
     info.deadline = command.deadline.filter(|deadline| *deadline > Duration::ZERO);
     info.reply_certain = command.reply_certain;
     info.ends_session = command.ends_session;
-    info.needs_firmware = spec.needs_firmware(command);
     Box::leak(Box::new(info))
 }
 
@@ -223,7 +222,7 @@ mod tests {
         let spec = builtin();
         for info in Request::COMMANDS {
             let command = spec.command(info.name).expect("both have the same commands");
-            let found = command_info(&spec, command);
+            let found = command_info(command);
             let expected = with(**info, |info| (info.bare_reply, info.firmware) = (None, found.firmware));
             assert_eq!(*found, expected);
         }

@@ -7,9 +7,8 @@ use crate::scalar;
 use crate::slot::Slot;
 use crate::tree::{Label, Node};
 
-/// Translation of messages between two specs, one of which is made from the other by a pack, or is that of a firmware:
-/// keys, words for false and true, units, literals, and objects that are arrays. Fields correspond by their names in
-/// Rust.
+/// Translation of messages between two specs, one of which is made from the other by a pack: keys, words for false
+/// and true, units, literals, and objects that are arrays. Fields correspond by their names in Rust.
 #[derive(Debug)]
 pub struct Translation<'s> {
     from: &'s Spec,
@@ -60,16 +59,14 @@ impl<'s> Translation<'s> {
         self.members(from, to, members)
     }
 
-    /// Whether a message of the first spec is the same message of the second, for any firmware: with the same keys,
-    /// types and units, and no further required field.
+    /// Whether a message of the first spec is the same message of the second: with the same keys, types and units, and
+    /// no further required field.
     pub fn is_identity(&self, message: Message<'_>) -> bool {
         self.parts_of(message).into_iter().all(|(from, to)| {
             let is_same = |field: &Field| {
                 let other = counterpart(field, from, to);
                 other.is_some_and(|other| {
-                    field.wire == other.wire
-                        && Slot::of(self.from, field).means(&Slot::of(self.to, other))
-                        && !self.to.has_forms(std::slice::from_ref(other))
+                    field.wire == other.wire && Slot::of(self.from, field).means(&Slot::of(self.to, other))
                 })
             };
             let is_known = |other: &Field| other.optional || counterpart(other, to, from).is_some();
@@ -290,7 +287,7 @@ fn translated<T: PartialEq + Clone>(values: &[EnumValue<T>], others: &[EnumValue
 }
 
 /// Returns the fields of a message; for a choice, those of the variant.
-pub(crate) fn fields<'s>(spec: &'s Spec, message: Message<'_>, members: &Map<String, Value>) -> &'s [Field] {
+fn fields<'s>(spec: &'s Spec, message: Message<'_>, members: &Map<String, Value>) -> &'s [Field] {
     let command = |name: &str| spec.command(name);
     match message {
         Message::Status => spec.status_fields(),

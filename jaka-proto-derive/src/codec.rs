@@ -1,11 +1,9 @@
 //! Fields: how they are declared, written and read.
 
-use jaka_spec::{Field, Spec, Type, TypeId};
+use jaka_spec::{Field, Scalar, Spec, Type, TypeId};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use crate::forms;
-use crate::forms::write_type;
 use crate::scope::{ident, names};
 
 /// Statements that write the fields of an object, or the elements of an array, without its brackets; `value` turns a
@@ -38,9 +36,6 @@ pub(crate) fn write_further(fields: &[Field], value: impl Fn(&Ident) -> TokenStr
 }
 
 fn write_field(field: &Field, before: &TokenStream, value: &TokenStream) -> TokenStream {
-    if !field.forms.is_empty() {
-        return forms::write(field, value);
-    }
     if field.optional {
         let write = write_value(field, &quote!(value));
         quote!(if let Some(value) = #value { #before #write })
@@ -60,6 +55,34 @@ fn write_value(field: &Field, value: &TokenStream) -> TokenStream {
             wire::Typed::Known(value) => { #write }
             wire::Typed::Raw(value) => wire::Encode::encode(value, out),
         }
+    }
+}
+
+/// A statement that writes the value behind the reference `value`.
+pub(crate) fn write_type(ty: &Type, value: &TokenStream) -> TokenStream {
+    match ty {
+        Type::Scalar(Scalar::Bool { off, on }) if off != "false" || on != "true" => {
+            quote!(out.choose(*#value, #off, #on);)
+        }
+        Type::List(element) | Type::Array(element, _) if is_truth(element) => {
+            let write = write_type(element, &quote!(item));
+            quote!(out.array(#value, |out, item| { #write });)
+        }
+        Type::Python(inner) => {
+            let write = write_type(inner, value);
+            quote!(out.python(|out| { #write });)
+        }
+        Type::Scalar(_) | Type::Named(_) | Type::List(_) | Type::Array(..) => {
+            quote!(wire::Encode::encode(#value, out);)
+        }
+    }
+}
+
+/// True for a truth value, and for an array of them.
+fn is_truth(ty: &Type) -> bool {
+    match ty {
+        Type::List(element) | Type::Array(element, _) => is_truth(element),
+        other => matches!(other, Type::Scalar(Scalar::Bool { .. })),
     }
 }
 
@@ -91,19 +114,12 @@ pub(crate) fn read_object(fields: &[Field], constructor: &TokenStream, manner: M
     let names = names(fields);
     let arms = fields.iter().enumerate().map(|(at, field)| {
         let (name, method) = (ident(&field.name), read_method(field));
-        if !field.forms.is_empty() {
-            return form_arm(at, field, &field.wire, manner);
-        }
         if manner == Manner::Strict || !field.optional {
             return arm(at, field, &method, &quote!(&mut #name));
         }
         let (text, at, read) = (&field.name, Literal::usize_unsuffixed(at), read_call(field, &method, &quote!(slot)));
         quote!(#at => reader.status_field(#text, &mut #name, &keys, |reader, slot| #read)?,)
     });
-    let further = forms::further_keys(fields);
-    let further = further.iter().enumerate();
-    let further = further.map(|(at, (field, form))| form_arm(fields.len() + at, &fields[*field], &form.wire, manner));
-    let arms = arms.chain(further);
     let values = fields.iter().map(|field| {
         let name = ident(&field.name);
         if field.optional {
@@ -148,8 +164,7 @@ pub(crate) fn read_object_in_place(fields: &[Field], manner: Manner) -> TokenStr
 
 /// True for fields that can be read in place: their number and their types.
 pub(crate) fn in_place(fields: &[Field]) -> bool {
-    let is_plain =
-        |field: &Field| truth_words(field).is_none() && !matches!(field.ty, Type::Python(_)) && field.forms.is_empty();
+    let is_plain = |field: &Field| truth_words(field).is_none() && !matches!(field.ty, Type::Python(_));
     fields.len() <= MAX_IN_PLACE && fields.iter().all(is_plain)
 }
 
@@ -158,8 +173,7 @@ const MAX_IN_PLACE: usize = 128;
 
 /// Goes through an object, and leaves the value of each known key to its arm.
 fn walk_object(fields: &[Field], arms: impl Iterator<Item = TokenStream>, manner: Manner) -> TokenStream {
-    let further = forms::further_keys(fields).into_iter().map(|(_, form)| form.key());
-    let keys = fields.iter().map(Field::key).chain(further);
+    let keys = fields.iter().map(Field::key);
     let (begin, skip) = match manner {
         Manner::Strict => (quote!(begin_fields), quote!(skip())),
         Manner::Status | Manner::StatusSubset => (quote!(begin_status), quote!(skip_unknown(&keys))),
@@ -179,18 +193,6 @@ fn walk_object(fields: &[Field], arms: impl Iterator<Item = TokenStream>, manner
 fn arm(at: usize, field: &Field, method: &TokenStream, slot: &TokenStream) -> TokenStream {
     let (at, read) = (Literal::usize_unsuffixed(at), read_call(field, method, slot));
     quote!(#at => #read?,)
-}
-
-/// The arm of a key of a field with forms by firmware.
-fn form_arm(at: usize, field: &Field, key: &str, manner: Manner) -> TokenStream {
-    let (at, text, name) = (Literal::usize_unsuffixed(at), &field.name, ident(&field.name));
-    let read = forms::read(field, key);
-    if manner == Manner::Strict || !field.optional {
-        return quote!(#at => reader.field_with(#text, &mut #name, #read)?,);
-    }
-    quote! {
-        #at => reader.status_field(#text, &mut #name, &keys, |reader, slot| reader.field_with(#text, slot, #read))?,
-    }
 }
 
 /// The call that reads a field into a slot.
@@ -218,8 +220,7 @@ pub(crate) fn read_array(fields: &[Field], exact: bool, constructor: &TokenStrea
     let values = fields.iter().map(|field| {
         let (text, name) = (&field.name, ident(&field.name));
         let method = if field.optional { quote!(optional_element) } else { quote!(element) };
-        let read = forms::element(field, &quote!(reader.#method(#text)?));
-        quote!(#name: #read)
+        quote!(#name: reader.#method(#text)?)
     });
     let end = end_array(exact);
     quote! {
@@ -233,11 +234,6 @@ pub(crate) fn read_array(fields: &[Field], exact: bool, constructor: &TokenStrea
 pub(crate) fn read_array_in_place(fields: &[Field], exact: bool, slot: impl Fn(&Ident) -> TokenStream) -> TokenStream {
     let values = fields.iter().map(|field| {
         let (text, slot) = (&field.name, slot(&ident(&field.name)));
-        if !field.forms.is_empty() {
-            let method = if field.optional { quote!(optional_element) } else { quote!(element) };
-            let read = forms::element(field, &quote!(reader.#method(#text)?));
-            return quote!(*#slot = #read;);
-        }
         let method = if field.optional { quote!(optional_element_into) } else { quote!(element_into) };
         quote!(reader.#method(#text, #slot)?;)
     });

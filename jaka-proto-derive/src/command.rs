@@ -1,11 +1,11 @@
 //! Requests and replies.
 
-use jaka_spec::{Command, Request, Spec};
+use jaka_spec::{Command, Request};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::scope::{Scope, ident};
-use crate::{choice, construct, docs, forms, motion, role, typedef, validate};
+use crate::{choice, construct, docs, motion, role, typedef, validate};
 
 /// The request, its reply if it carries data, and their connection.
 pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
@@ -25,7 +25,7 @@ pub(crate) fn render(scope: Scope<'_>, command: &Command) -> TokenStream {
     let checks = validate::request(scope, command, &name);
     let reply = reply(scope, command);
     let reply_type = scope.reply_type(&TokenStream::new(), command);
-    let info = info(scope.spec, command);
+    let info = info(command);
     let role = role::of_request(scope.spec, command);
     let motion = motion::render(scope, command, &name);
     quote! {
@@ -51,7 +51,7 @@ fn reply(scope: Scope<'_>, command: &Command) -> Option<TokenStream> {
     Some(typedef::object(scope, &name, &docs, command.reply.own_fields()))
 }
 
-fn info(spec: &Spec, command: &Command) -> TokenStream {
+fn info(command: &Command) -> TokenStream {
     let name = &command.wire;
     let head = command.head();
     let section = command.section.as_deref().unwrap_or_default();
@@ -73,10 +73,9 @@ fn info(spec: &Spec, command: &Command) -> TokenStream {
     let uncertain = (!command.reply_certain).then(|| quote!(reply_certain: false,));
     let ends = command.ends_session.then(|| quote!(ends_session: true,));
     let bare = bare_reply_key(command).map(|key| quote!(bare_reply: Some(#key),));
-    let firmware = forms::firmware(&command.versions).map(|firmware| quote!(firmware: #firmware,));
-    let needs_firmware = spec.needs_firmware(command).then(|| quote!(needs_firmware: true,));
+    let firmware = validate::firmware(&command.versions).map(|firmware| quote!(firmware: #firmware,));
     quote!(
-        proto::__command_info!(#name, #head, #section, #effect, #role #changes #motion #requires #deadline #uncertain #ends #bare #firmware #needs_firmware)
+        proto::__command_info!(#name, #head, #section, #effect, #role #changes #motion #requires #deadline #uncertain #ends #bare #firmware)
     )
 }
 

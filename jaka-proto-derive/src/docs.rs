@@ -83,12 +83,8 @@ impl<'s> Docs<'s> {
                 "\n\nSources contradict each other on the meaning, so the value is passed on as it is:\n\n{readings}"
             )
         });
-        let forms = (!field.forms.is_empty()).then(|| {
-            let forms: Vec<_> = field.forms.iter().map(|form| words::form(self.spec, field, form)).collect();
-            format!("\n\nOther forms on the wire:\n\n{}", list(&forms))
-        });
         let or_raw = field.or_raw.then(|| OR_RAW.to_owned());
-        let more: String = [ascii, forms, disputed, or_raw, versions(&field.versions)].into_iter().flatten().collect();
+        let more: String = [ascii, disputed, or_raw, versions(&field.versions)].into_iter().flatten().collect();
         let docs = own(&(text + &advisory.unwrap_or_default() + &advised.unwrap_or_default() + &self.prose(&more)));
         let alias = alias(&field.wire, &field.name);
         quote!(#docs #alias)

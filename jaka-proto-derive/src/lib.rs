@@ -18,7 +18,6 @@ mod docs;
 mod enums;
 mod error_codes;
 mod events;
-mod forms;
 mod literal;
 mod motion;
 mod pack;
@@ -26,7 +25,6 @@ mod role;
 mod scope;
 mod status_subset;
 mod topic;
-mod type_forms;
 mod typedef;
 mod validate;
 

@@ -9,18 +9,18 @@ use quote::quote;
 
 use crate::codec::{
     Manner, decode_into, in_place, read_array, read_array_in_place, read_object, read_object_in_place, write_all,
+    write_type,
 };
-use crate::forms::write_type;
 use crate::scope::{Scope, ident, names};
-use crate::{choice, construct, enums, type_forms, validate};
+use crate::{choice, construct, enums, validate};
 
 /// The type, its codec and its checks.
 pub(crate) fn render(scope: Scope<'_>, (id, def): (TypeId, &TypeDef), sent: &BTreeSet<TypeId>) -> TokenStream {
     let name = ident(&def.name);
     let docs = scope.docs.attributes(&def.doc);
     let item = match &def.kind {
-        TypeKind::Object(fields) => object_type(scope, (&name, def), &docs, fields, Manner::of(scope.spec, id)),
-        TypeKind::Array { fields, exact } => array(scope, (&name, def), &docs, fields, *exact),
+        TypeKind::Object(fields) => object_type(scope, &name, &docs, fields, Manner::of(scope.spec, id)),
+        TypeKind::Array { fields, exact } => array(scope, &name, &docs, fields, *exact),
         TypeKind::IntEnum(values) => enums::int(scope.docs, &name, &docs, values),
         TypeKind::TextEnum(values) => enums::text(scope.docs, &name, &docs, values),
         TypeKind::Choice(choice) => choice::array(scope, &name, &docs, choice),
@@ -57,24 +57,8 @@ pub(crate) fn object(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields:
 
 /// A named type that is a JSON object: a struct and its codec. It is read in place too if that is possible and some of
 /// its fields own memory, to use that memory again.
-fn object_type(
-    scope: Scope<'_>,
-    (name, def): (&Ident, &TypeDef),
-    docs: &TokenStream,
-    fields: &[Field],
-    manner: Manner,
-) -> TokenStream {
+fn object_type(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], manner: Manner) -> TokenStream {
     let inline = scope.inline_reads();
-    if !def.forms.is_empty() {
-        return object_with(
-            scope,
-            name,
-            docs,
-            fields,
-            &read_fields(fields, manner),
-            &type_forms::object(name, def, fields),
-        );
-    }
     if scope.spec.all_copy(fields) || !in_place(fields) {
         let read = read_fields(fields, manner);
         let impls = quote!(proto::__object_impls!(#name););
@@ -135,13 +119,7 @@ fn object_with(
     }
 }
 
-fn array(
-    scope: Scope<'_>,
-    (name, def): (&Ident, &TypeDef),
-    docs: &TokenStream,
-    fields: &[Field],
-    exact: bool,
-) -> TokenStream {
+fn array(scope: Scope<'_>, name: &Ident, docs: &TokenStream, fields: &[Field], exact: bool) -> TokenStream {
     let derives = derives(scope, fields);
     let declared = scope.declare(fields, &quote!(pub));
     let write = write_all(fields, |name| quote!(&self.#name));
@@ -155,39 +133,32 @@ fn array(
     // What converts from an array of numbers cannot grow.
     let grows = (!is_floats(fields)).then(|| quote!(#[non_exhaustive]));
     let conversions = is_floats(fields).then(|| float_conversions(name, fields));
-    let codec = if def.forms.is_empty() {
-        quote! {
-            impl wire::Encode for #name {
-                #[inline]
-                fn encode(&self, out: &mut wire::Writer) {
-                    out.raw("[");
-                    #write
-                    out.raw("]");
-                }
-            }
-
-            impl wire::Decode for #name {
-                #inline
-                fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-                    reader.begin_array()?;
-                    #read
-                }
-
-                #in_place
-            }
-
-            proto::__serde_impls!(#name);
-        }
-    } else {
-        type_forms::array(name, def, fields, exact)
-    };
     quote! {
         #docs
         #derives
         #grows
         pub struct #name { #declared }
 
-        #codec
+        impl wire::Encode for #name {
+            #[inline]
+            fn encode(&self, out: &mut wire::Writer) {
+                out.raw("[");
+                #write
+                out.raw("]");
+            }
+        }
+
+        impl wire::Decode for #name {
+            #inline
+            fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
+                reader.begin_array()?;
+                #read
+            }
+
+            #in_place
+        }
+
+        proto::__serde_impls!(#name);
         #conversions
     }
 }
@@ -217,12 +188,8 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
     let inner = scope.rust_type(ty);
     let copy = scope.spec.is_copy(ty).then(|| quote!(Copy,));
     let write = write_type(ty, &quote!(&self.0));
-    let (write, read) = match def.forms.as_slice() {
-        [] => (write, quote!(wire::Decode::decode(reader).map(Self))),
-        _ => type_forms::wrapped(def, &write),
-    };
     let inline = scope.inline_reads();
-    let in_place = (copy.is_none() && def.forms.is_empty()).then(|| {
+    let in_place = copy.is_none().then(|| {
         let decode = decode_into(&quote!(self.0.decode_into(reader)));
         quote!(#inline #decode)
     });
@@ -251,7 +218,7 @@ fn wrapper(scope: Scope<'_>, name: &Ident, def: &TypeDef, ty: &Type, unit: Optio
         impl wire::Decode for #name {
             #inline
             fn decode(reader: &mut wire::Reader<'_>) -> Result<Self, wire::DecodeError> {
-                #read
+                wire::Decode::decode(reader).map(Self)
             }
 
             #in_place

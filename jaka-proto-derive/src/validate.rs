@@ -1,13 +1,11 @@
 //! The checks of requests, and of the types inside them.
 
 use jaka_spec::words;
-use jaka_spec::{Advice, Choice, Command, EnumValue, Field, Request, TypeDef, TypeKind};
-use proc_macro2::{Ident, TokenStream};
+use jaka_spec::{Advice, Choice, Command, EnumValue, Field, Request, TypeDef, TypeKind, Version, Versions};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::choice::variant_path;
-use crate::forms::elements;
-use crate::forms::firmware;
 use crate::scope::{Scope, ident, names};
 
 /// The checks of a request.
@@ -23,12 +21,6 @@ pub(crate) fn request(scope: Scope<'_>, command: &Command, name: &Ident) -> Toke
 pub(crate) fn type_def(scope: Scope<'_>, def: &TypeDef) -> TokenStream {
     let name = ident(&def.name);
     let body = match &def.kind {
-        TypeKind::Object(fields) if !def.forms.is_empty() => {
-            // In some firmware they are elements of an array.
-            let gap = gap(&elements(fields), |name| quote!(&self.#name));
-            let body = struct_body(scope, fields);
-            quote!(#gap #body)
-        }
         TypeKind::Object(fields) | TypeKind::Array { fields, .. } => struct_body(scope, fields),
         TypeKind::IntEnum(values) => {
             let allowed = list(values, |value| format!("{} ({})", value.wire, value.name));
@@ -149,6 +141,17 @@ fn limits(field: &Field, advised: Option<TokenStream>) -> TokenStream {
     }
     let set = set.iter().flatten();
     quote!(check::FieldLimits { #(#set)* ..check::FieldLimits::NONE })
+}
+
+/// The firmware that has something, unless all has it.
+pub(crate) fn firmware(versions: &Versions) -> Option<TokenStream> {
+    let numbers = |version: &Version| {
+        let numbers = version.numbers().iter().map(|number| Literal::u32_unsuffixed(*number));
+        quote!([#(#numbers),*])
+    };
+    let since = versions.since.as_ref().map(numbers).map(|numbers| quote!(.since(#numbers)));
+    let until = versions.until.as_ref().map(numbers).map(|numbers| quote!(.until(#numbers)));
+    (versions != &Versions::default()).then(|| quote!(proto::FirmwareRange::ALL #since #until))
 }
 
 fn list<T>(values: &[EnumValue<T>], text: impl Fn(&EnumValue<T>) -> String) -> String {

@@ -143,11 +143,6 @@ crate::worded! {
         InvalidArgument(invalid: InvalidArgument) => "{invalid}",
         /// The controller's firmware does not have it.
         NotInFirmware(missing: Box<NotInFirmware>) => "{missing}",
-        /// The firmware decides the form of the request or of its reply, and is not known.
-        FirmwareUnknown {
-            /// `cmdName` of the request.
-            command: &'static str,
-        } => "`{command}` was not sent: its form depends on the firmware, which is not known",
     }
 }
 
@@ -265,7 +260,7 @@ impl<'p> Place<'p> {
     pub fn takes(&self, value: &dyn fmt::Display, range: &FirmwareRange) -> Result<(), NotSent> {
         self.exists(range).map_err(|missing| match missing {
             NotSent::NotInFirmware(missing) => NotSent::NotInFirmware(Box::new(missing.with_value(value.to_string()))),
-            other @ (NotSent::InvalidArgument(_) | NotSent::FirmwareUnknown { .. }) => other,
+            other @ NotSent::InvalidArgument(_) => other,
         })
     }
 

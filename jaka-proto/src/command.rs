@@ -33,8 +33,7 @@ pub trait Command: Fields + Validate {
     /// Checks the request against the spec, and against the controller's firmware where the rules say which it is.
     ///
     /// # Errors
-    /// A field has a forbidden value, the firmware does not have the command or a given field, or the firmware is not
-    /// known and decides the form of the request or the reply.
+    /// A field has a forbidden value, or the firmware does not have the command or a given field.
     fn check(&self, rules: impl Into<Rules>) -> Result<(), NotSent> {
         check_request(Self::INFO, self, rules.into())
     }
@@ -43,9 +42,6 @@ pub trait Command: Fields + Validate {
 fn check_request(info: &CommandInfo, request: &dyn Validate, rules: Rules) -> Result<(), NotSent> {
     let place = Place::request(info.name, rules);
     place.exists(&info.firmware)?;
-    if info.needs_firmware && rules.firmware.is_none() {
-        return Err(NotSent::FirmwareUnknown { command: info.name });
-    }
     request.validate(&place, &FieldLimits::NONE)
 }
 
@@ -61,7 +57,6 @@ pub trait Visit {
 /// Facts of the spec about a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub struct CommandInfo {
     /// `cmdName` on the wire.
     pub name: &'static str,
@@ -92,9 +87,6 @@ pub struct CommandInfo {
     pub bare_reply: Option<&'static str>,
     /// The firmware that has the command.
     pub firmware: FirmwareRange,
-    /// True if the form of the request, or of a value of the reply, depends on the version of the firmware: it is sent
-    /// only once the firmware is known.
-    pub needs_firmware: bool,
 }
 
 /// Builds the facts of a command from the fields that differ from those of most commands. The controller
@@ -132,7 +124,6 @@ impl CommandInfo {
             ends_session: false,
             bare_reply: None,
             firmware: FirmwareRange::ALL,
-            needs_firmware: false,
         }
     }
 }

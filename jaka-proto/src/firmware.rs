@@ -154,11 +154,6 @@ impl FirmwareRange {
         let is_over = self.until.is_some_and(|until| version > until && !version.is_below(&until));
         is_begun && !is_over
     }
-
-    /// Place of the first range that has a version.
-    pub(crate) fn place(ranges: &[Self], version: FirmwareVersion) -> Option<usize> {
-        ranges.iter().position(|range| range.contains(version))
-    }
 }
 
 /// In words, such as `1.7 and later` or `1.5 to 1.6`.

@@ -40,9 +40,7 @@ pub use firmware::{FirmwareRange, FirmwareVersion, InvalidFirmwareVersion, NotIn
 pub use messages::Request;
 pub use motion::{Motion, Path, Target};
 pub use refusal::{ErrorCode, Refusal};
-pub use reply::{
-    Reply, read_envelope, read_payload, read_payload_of, read_reply, read_reply_of, write_refusal, write_reply,
-};
+pub use reply::{Reply, read_envelope, read_payload, read_reply, write_refusal, write_reply};
 pub use request::RequestError;
 pub use wire::python;
 

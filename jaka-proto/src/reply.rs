@@ -4,7 +4,6 @@ use std::borrow::Cow;
 
 use crate::command::CommandInfo;
 use crate::envelope::{ENVELOPE, Envelope, QUOTED_CODE, QUOTED_COMMAND, QUOTED_MESSAGE, code};
-use crate::firmware::FirmwareVersion;
 use crate::refusal::ErrorCode;
 use crate::wire::{Decode, DecodeError, Encode, Fields, Reader, Value, Writer, read_message};
 
@@ -59,28 +58,15 @@ impl Fields for Value {
 /// # Errors
 /// The text is neither an object by its quotes and brackets nor a Python tuple.
 pub fn read_reply<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
-    read_reply_of(command, reply, None)
-}
-
-/// Reads a reply of this firmware as [`read_reply`], where values have other forms in some.
-///
-/// # Errors
-/// As [`read_reply`].
-pub fn read_reply_of<'a, R: Fields>(
-    command: &CommandInfo,
-    reply: &'a str,
-    firmware: Option<FirmwareVersion>,
-) -> Result<Reply<'a, R>, DecodeError> {
-    match read_accepted(reply, firmware) {
+    match read_accepted(reply) {
         Some(reply) => Ok(reply),
-        None => read_closely(command, reply, firmware),
+        None => read_closely(command, reply),
     }
 }
 
 /// Reads an accepted reply in one pass; `None` for any reply that takes a closer look.
-fn read_accepted<R: Fields>(text: &str, firmware: Option<FirmwareVersion>) -> Option<Reply<'_, R>> {
+fn read_accepted<R: Fields>(text: &str) -> Option<Reply<'_, R>> {
     let mut reader = Reader::capturing(text, take_envelope);
-    reader.set_firmware(firmware);
     let payload = R::read_fields(&mut reader).ok()?;
     if !is_accepted(&mut reader) {
         return None;
@@ -120,14 +106,10 @@ fn take_envelope(reader: &mut Reader<'_>) -> Result<bool, DecodeError> {
 
 /// Reads a refusal, or a reply in an unusual form: the envelope, then the payload if there is one.
 #[cold]
-fn read_closely<'a, R: Fields>(
-    command: &CommandInfo,
-    reply: &'a str,
-    firmware: Option<FirmwareVersion>,
-) -> Result<Reply<'a, R>, DecodeError> {
+fn read_closely<'a, R: Fields>(command: &CommandInfo, reply: &'a str) -> Result<Reply<'a, R>, DecodeError> {
     let envelope = read_envelope(reply)?;
     let accepted = envelope.as_ref().is_none_or(Envelope::is_accepted);
-    let payload = accepted.then(|| read_payload_of(command, reply, firmware));
+    let payload = accepted.then(|| read_payload(command, reply));
     Ok(Reply { envelope, payload })
 }
 
@@ -147,19 +129,7 @@ pub fn read_envelope(reply: &str) -> Result<Option<Envelope<'_>>, DecodeError> {
 /// # Errors
 /// A field is missing, comes twice or does not fit its type.
 pub fn read_payload<R: Fields>(command: &CommandInfo, reply: &str) -> Result<R, DecodeError> {
-    read_payload_of(command, reply, None)
-}
-
-/// Reads the payload of a reply of this firmware as [`read_payload`], where values have other forms in some.
-///
-/// # Errors
-/// As [`read_payload`].
-pub fn read_payload_of<R: Fields>(
-    command: &CommandInfo,
-    reply: &str,
-    firmware: Option<FirmwareVersion>,
-) -> Result<R, DecodeError> {
-    read_message(&as_object(command, reply), firmware)
+    read_message(&as_object(command, reply))
 }
 
 /// The reply as a JSON object, also for a bare Python tuple.
@@ -213,7 +183,7 @@ mod tests {
             r#""cmdName": "get_joint_pos", "joint_pos": [1, 2, 3, 4, 5, 6.5], "new": [{"errorCode": 7}], "errorCode": 0"#,
         ] {
             let text = format!("{{{keys}}}");
-            let reply = read_accepted::<GetJointPosReply>(&text, None).expect(keys);
+            let reply = read_accepted::<GetJointPosReply>(&text).expect(keys);
             let envelope = reply.envelope.expect("it has one");
             assert_eq!((envelope.command.as_deref(), &*envelope.message), (Some("get_joint_pos"), ""), "{keys}");
             let joints = reply.payload.expect("it is accepted").expect("it decodes").joint_position;
@@ -233,7 +203,7 @@ mod tests {
             r#"{"errorCode": "0", "joint_pos": [1, 2, 3, 4, 5, 6]} x"#,
             r#"{"joint_pos": [1, 2, 3, 4, 5, 6]}"#,
         ] {
-            assert!(read_accepted::<GetJointPosReply>(text, None).is_none(), "{text}");
+            assert!(read_accepted::<GetJointPosReply>(text).is_none(), "{text}");
         }
     }
 }

@@ -6,14 +6,14 @@ use crate::messages::Request;
 use crate::wire::{DecodeError, Reader, Writer};
 
 impl Request {
-    /// Reads a request as it goes over the wire, in the spec's own forms.
+    /// Reads a request as it goes over the wire.
     ///
     /// # Errors
     /// The text is not a JSON object, names no command or one that the spec does not know, or a field does not fit.
     #[inline]
     pub fn read(json: &str) -> Result<Self, RequestError> {
         let name = name(json).map_err(RequestError::Malformed)?.ok_or(RequestError::Nameless)?;
-        let Some(request) = Self::read_named(&name, &mut Reader::in_own_form(json)) else {
+        let Some(request) = Self::read_named(&name, &mut Reader::new(json)) else {
             return Err(RequestError::Unknown { command: name });
         };
         request.map_err(|source| RequestError::Field { command: name, source })

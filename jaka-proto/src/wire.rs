@@ -9,19 +9,14 @@ mod error;
 mod number;
 pub mod python;
 mod reader;
-mod scaled;
 mod serde_impls;
 mod value;
 mod writer;
 
-#[doc(hidden)]
-pub use crate::firmware::FirmwareRange;
 use decode::not_an_array_of;
 pub use error::DecodeError;
 pub use reader::{Keys, Reader};
 pub(crate) use reader::{lossy_text, read_message, trimmed};
-#[doc(hidden)]
-pub use scaled::Scaled;
 #[doc(hidden)]
 pub use serde_impls::{deserialize, serialize};
 pub use value::Typed;

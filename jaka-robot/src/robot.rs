@@ -22,9 +22,9 @@ use crate::power_steps::NeedsRest;
 use crate::preflight::Preflight;
 use crate::servo_session::{LedArm, ServoSession};
 use crate::{
-    AnalogCondition, Call, Client, Command, Config, End, Error, ErrorKind, Explanation, FirmwareVersion, FollowConfig,
-    FollowRun, InputCondition, Monitor, Motion, MotionStatus, Occurrence, PowerStep, RobotStop, Run, SessionConfig,
-    Snapshot, power_steps,
+    AnalogCondition, Call, Client, Command, Config, End, Error, ErrorKind, Explanation, FollowConfig, FollowRun,
+    InputCondition, Monitor, Motion, MotionStatus, Occurrence, PowerStep, RobotStop, Run, SessionConfig, Snapshot,
+    power_steps,
 };
 #[cfg(feature = "stream")]
 use crate::{Stream, StreamConfig};
@@ -371,16 +371,6 @@ impl<S: MotionStatus> Robot<S> {
     pub fn client(&mut self) -> &mut Client {
         self.limits.forget_plan();
         self.arm.client()
-    }
-
-    /// Asks the controller for its firmware, as [`Client::check_firmware`], and reads status packets by it from now on.
-    ///
-    /// # Errors
-    /// As [`Client::check_firmware`].
-    pub fn check_firmware(&mut self) -> Result<FirmwareVersion, Error> {
-        let firmware = self.arm.client().check_firmware()?;
-        self.monitor.set_firmware(Some(firmware));
-        Ok(firmware)
     }
 
     /// The monitor, which can be cloned for other threads.

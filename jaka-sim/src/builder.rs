@@ -231,10 +231,9 @@ impl Builder {
     /// [`firmware`](Self::firmware), or set [`State::version`](crate::State::version).
     ///
     /// Requests, replies and packets follow a pack in renamed keys, other words for false and true, converted units,
-    /// and arrays in the form of objects. They also follow forms by firmware, for the one of
-    /// [`State::version`](crate::State::version). The controller refuses a command for which a pack changes the type or
-    /// the meaning of a key, since the state has no value for it; the message names the key. Such a key of status
-    /// packets is an error at the start. The controller also refuses a reply with a value that the pack does not allow.
+    /// and arrays in the form of objects. The controller refuses a command for which a pack changes the type or the
+    /// meaning of a key, since the state has no value for it; the message names the key. Such a key of status packets
+    /// is an error at the start. The controller also refuses a reply with a value that the pack does not allow.
     #[must_use]
     pub fn pack(mut self, path: impl Into<PathBuf>) -> Self {
         self.packs.push(path.into());

@@ -3,29 +3,24 @@
 mod replayed;
 mod request_reader;
 
-use std::borrow::Cow;
 use std::io;
 use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
 use jaka_clock::Socket;
-use jaka_dynamic::{Forms, Message};
+use jaka_proto::Envelope;
 use jaka_proto::wire::Writer;
-use jaka_proto::{Envelope, ErrorCode, write_refusal};
-use jaka_spec::COMMAND_NAME;
-use serde_json::{Map, Value};
 
 use self::request_reader::{Incoming, NextRequest, RequestReader};
 use crate::answer::{self, Sequel};
 use crate::clock;
 use crate::connection::{CommandConnection, NextStep};
 use crate::firmware::Values;
-use crate::json_text::respace;
 use crate::link::Wire;
 use crate::replay::Replay;
 use crate::shared::Shared;
-use crate::spec_index::{CommandEntry, accepted};
+use crate::spec_index::accepted;
 use crate::world::World;
 use crate::{Port, Takeover};
 
@@ -154,17 +149,8 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
     reply.clear();
     log::trace!(target: "jaka_sim", "received {incoming}");
     let mut world = shared.world();
-    let forms = shared.forms(&world.state);
     let sequel = match incoming {
-        Incoming::Request(text) => match in_own_forms(text, forms.as_deref()) {
-            Ok(own) => answer::answer(&own, &shared.spec_index, &mut world, reply),
-            Err(field) => {
-                let command = incoming.command().unwrap_or_default();
-                let message = format!("call {command} failed: `{field}` is in no form of this firmware");
-                write_refusal(Some(&command), ErrorCode::CALL_FAILED, &message, reply);
-                Sequel::Nothing
-            }
-        },
+        Incoming::Request(text) => answer::answer(text, &shared.spec_index, &mut world, reply),
         Incoming::NoText(_) | Incoming::Garbage => {
             answer::refuse_unknown(&shared.spec_index, reply);
             Sequel::Nothing
@@ -176,9 +162,6 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
         put_set_fields(command, shared, reply);
     }
     Values::of_replies(&shared.spec_index.spec, world.writing).rewrite(reply);
-    if let Some(command) = &command {
-        put_forms(command, shared, forms.as_deref(), reply);
-    }
     drop(world);
     let fault = shared.faults().next(command.as_deref());
     if let Incoming::Request(text) | Incoming::NoText(text) = incoming {
@@ -187,44 +170,11 @@ fn exchange(incoming: &Incoming, connection: &CommandConnection, shared: &Shared
     writer.send_reply(fault.delivery(reply.as_str()), sequel)
 }
 
-/// Converts a request from the forms of the firmware to the spec's own forms.
-///
-/// # Errors
-/// Name of a field with a value in no form of the firmware.
-fn in_own_forms<'t>(text: &'t str, forms: Option<&Forms>) -> Result<Cow<'t, str>, String> {
-    let members: Option<Map<_, _>> = forms.and_then(|_| serde_json::from_str(text).ok());
-    let (Some(forms), Some(members)) = (forms, members) else { return Ok(Cow::Borrowed(text)) };
-    let Some(name) = members.get(COMMAND_NAME).and_then(Value::as_str) else { return Ok(Cow::Borrowed(text)) };
-    let translated = forms.read(Message::Request(name.trim()), &members);
-    match translated.lost.into_iter().next() {
-        Some(lost) => Err(lost.name),
-        None => Ok(Cow::Owned(Value::from(translated.members).to_string())),
-    }
-}
-
-/// Writes an accepted reply in the forms of the firmware. A reply with a packet's keys already has them.
-fn put_forms(command: &str, shared: &Shared, forms: Option<&Forms>, reply: &mut Writer) {
-    let (Some(forms), Some(entry)) = (forms, shared.spec_index.entry(command)) else { return };
-    let is_refusal = Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some());
-    if is_refusal || is_status(entry, shared) {
-        return;
-    }
-    let members = serde_json::from_str(reply.as_str()).ok();
-    if let Some(members) = members.and_then(|members| forms.written(Message::Reply(command), &members)) {
-        reply.clear();
-        reply.raw(&respace(&Value::from(members).to_string(), shared.options.firmware.shape().writing.separators()));
-    }
-}
-
-/// Whether a command has a reply with a packet's keys.
-fn is_status(entry: &CommandEntry, shared: &Shared) -> bool {
-    entry.command.reply.object().is_some_and(|ty| Some(ty) == shared.spec_index.spec.status_type())
-}
-
 /// Writes the values of a packet into an accepted reply with a packet's keys.
 fn put_status(command: &str, shared: &Shared, world: &World, reply: &mut Writer) {
     let Some(entry) = shared.spec_index.entry(command) else { return };
-    if !is_status(entry, shared) || Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some()) {
+    let is_status = entry.command.reply.object().is_some_and(|ty| Some(ty) == shared.spec_index.spec.status_type());
+    if !is_status || Envelope::read(reply.as_str()).is_ok_and(|envelope| envelope.refusal().is_some()) {
         return;
     }
     reply.clear();

@@ -6,7 +6,6 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::Duration;
 
 use jaka_clock::{Clock, lock};
-use jaka_dynamic::Forms;
 use serde_json::{Map, Value};
 
 use crate::clock::{CYCLE, ControllerClock};
@@ -28,8 +27,6 @@ use crate::{Builder, FaultPlan, State, status_packet};
 pub(crate) struct Shared {
     pub(crate) options: Builder,
     pub(crate) spec_index: Arc<SpecIndex>,
-    /// Forms of the firmware, by its version; `None` if all firmware has the same.
-    forms: Mutex<(String, Option<Arc<Forms>>)>,
     pub(crate) command_listener: Listener,
     pub(crate) status_listener: Listener,
     pub(crate) active_client: ActiveClient,
@@ -62,7 +59,6 @@ impl Shared {
         let time = &options.time;
         let links = Arc::new(Links::new(time));
         let world = World::new(&options, &spec_index, &links)?;
-        let forms = Mutex::new((world.state.version.clone(), forms_of(&spec_index, &world.state.version)));
         Ok(Self {
             command_listener: Listener::bind(options.address, options.command_port, time)?,
             status_listener: Listener::bind(options.address, options.status_port, time)?,
@@ -73,7 +69,6 @@ impl Shared {
             links,
             replay: options.replay.as_ref().map(|source| ReplaySession::new(source, options.replay_timing, time)),
             world: Mutex::new(world),
-            forms,
             spec_index,
             replies: Mutex::default(),
             status_values: Mutex::default(),
@@ -103,17 +98,6 @@ impl Shared {
         world
     }
 
-    /// Returns the forms of the state's firmware; `None` if all firmware has the same.
-    pub(crate) fn forms(&self, state: &State) -> Option<Arc<Forms>> {
-        let mut known = lock(&self.forms);
-        if known.0 != state.version {
-            *known = (state.version.clone(), forms_of(&self.spec_index, &state.version));
-            // The parts of the last packet have other forms.
-            lock(&self.packet_parts).clear();
-        }
-        known.1.clone()
-    }
-
     /// Returns the status packet of the present state.
     pub(crate) fn packet(&self) -> Vec<u8> {
         let mut world = self.world();
@@ -129,9 +113,7 @@ impl Shared {
     /// Returns the status packet of a state.
     pub(crate) fn packet_of(&self, state: &State) -> String {
         let set = self.status_values().clone();
-        let forms = self.forms(state);
-        let model = (&*self.spec_index, forms.as_deref());
-        status_packet::packet(state, self.options.firmware, model, &set, &mut lock(&self.packet_parts))
+        status_packet::packet(state, self.options.firmware, &self.spec_index, &set, &mut lock(&self.packet_parts))
     }
 
     /// Sends the present state to all status readers, except in a replay, which has its own packets.
@@ -197,8 +179,4 @@ impl Shared {
     pub(crate) fn replies(&self) -> MutexGuard<'_, HashMap<String, Map<String, Value>>> {
         lock(&self.replies)
     }
-}
-
-fn forms_of(spec_index: &SpecIndex, version: &str) -> Option<Arc<Forms>> {
-    Forms::of(&spec_index.spec, version.parse().ok()).map(Arc::new)
 }

@@ -224,9 +224,9 @@ fn not_followed(key: &str) -> String {
     format!("the simulator cannot follow the pack: it has a value of another type or in another unit for `{key}`")
 }
 
-/// Reads the payload of a sample in the spec's own forms.
+/// Reads the payload of a sample.
 pub(crate) fn own_payload<R: Fields>(sample: &str) -> Result<R, DecodeError> {
-    R::read_fields(&mut Reader::in_own_form(sample))
+    R::read_fields(&mut Reader::new(sample))
 }
 
 /// Returns the report in a packet of samples.

@@ -6,7 +6,7 @@ mod values;
 
 use std::collections::BTreeMap;
 
-use jaka_dynamic::{Forms, Message, counterpart};
+use jaka_dynamic::counterpart;
 use jaka_proto::wire::{Encode, Writer};
 use jaka_spec::Field;
 use serde_json::{Map, Value};
@@ -38,7 +38,7 @@ enum Shown {
 pub(crate) fn packet(
     state: &State,
     firmware: Firmware,
-    (spec_index, forms): (&SpecIndex, Option<&Forms>),
+    spec_index: &SpecIndex,
     set: &Map<String, Value>,
     parts: &mut Vec<Part>,
 ) -> String {
@@ -56,7 +56,7 @@ pub(crate) fn packet(
             None => Shown::State(shown(field, &own, spec_index)),
         };
         if part.shown.as_ref() != Some(&shown) {
-            part.text = respace(&written(field, &shown, values, forms), separators);
+            part.text = respace(&written(field, &shown, values), separators);
             part.shown = Some(shown);
         }
         tail.push_str(&part.text);
@@ -83,22 +83,13 @@ fn fields<'s>(spec_index: &'s SpecIndex, own: &BTreeMap<String, &str>) -> Vec<&'
 }
 
 /// Returns a key and its value, after a comma.
-fn written(field: &Field, shown: &Shown, values: Values<'_>, forms: Option<&Forms>) -> String {
+fn written(field: &Field, shown: &Shown, values: Values<'_>) -> String {
     let mut out = Writer::new();
     match shown {
         Shown::Set(value) => out.json(value),
         Shown::State(json) => values.field(field, json, &mut out),
     }
-    let value = out.into_string();
-    let (key, value) = forms.and_then(|forms| in_form(forms, field, &value)).unwrap_or((field.wire.clone(), value));
-    format!(",{}:{value}", json(&key))
-}
-
-/// Returns the key and the value of a field in the form of the firmware.
-fn in_form(forms: &Forms, field: &Field, value: &str) -> Option<(String, String)> {
-    let member = Map::from_iter([(field.wire.clone(), serde_json::from_str(value).ok()?)]);
-    let (key, value) = forms.written(Message::Status, &member)?.into_iter().next()?;
-    Some((key, value.to_string()))
+    format!(",{}:{}", json(&field.wire), out.as_str())
 }
 
 /// Returns the value of the state for a key of packets, in JSON; `own` has the values of all keys by the built-in spec.
@@ -134,8 +125,7 @@ mod tests {
     fn newer_firmware_sends_each_key_of_the_spec_once() {
         let spec_index = SpecIndex::open(&[]).expect("the spec is correct");
         let state = State::initial(&spec_index, &jaka_motion::Model::default()).expect("the spec has examples");
-        let all = (&*spec_index, None);
-        let packet = packet(&state, Firmware::Newer, all, &Map::new(), &mut Vec::new());
+        let packet = packet(&state, Firmware::Newer, &spec_index, &Map::new(), &mut Vec::new());
         let sent: Vec<_> = members(&packet).expect("it is an object").into_iter().map(|(key, _)| key).collect();
         let known: BTreeSet<_> = spec_index.spec.status_fields().iter().map(|field| field.wire.clone()).collect();
         assert_eq!((sent.iter().cloned().collect::<BTreeSet<_>>(), sent.len()), (known.clone(), known.len()));

@@ -154,10 +154,16 @@ fn pack(name: &str, text: &str) -> PathBuf {
 }
 
 #[test]
-fn keys_units_and_words_that_a_pack_changes_are_followed() {
+fn keys_units_words_and_shapes_that_a_pack_changes_are_followed() {
     let text = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\nwire = 'joints'\n\
                 [[override]]\ntarget = 'rapid_rate'\nrequest = 'rate_value'\nwire = 'rate'\n\
                 [[override]]\ntarget = 'get_payload'\nreply = 'mass'\nunit = 'g'\n\
+                [[type]]\nname = 'Named'\nkind = 'object'\ndoc = 'D.'\n\
+                [[type.field]]\nwire = 'x'\ntype = 'float'\nunit = 'mm'\ndoc = 'D.'\n\
+                [[type.field]]\nwire = 'y'\ntype = 'float'\nunit = 'mm'\ndoc = 'D.'\n\
+                [[type.field]]\nwire = 'z'\ntype = 'float'\nunit = 'mm'\ndoc = 'D.'\n\
+                [[override]]\ntarget = 'get_payload'\nreply = 'centroid'\ntype = 'Named'\n\
+                [[override]]\ntarget = 'set_payload'\nrequest = 'centroid'\ntype = 'Named'\n\
                 [[override]]\ntarget = 'RobotStatus'\nfield = 'enabled'\nwire = 'drives'\nwritten = ['off', 'on']\n\
                 [[override]]\ntarget = 'RobotStatus'\nfield = 'rapidrate'\nwire = 'rate'\n";
     let controller = at_rest().pack(pack("followed", text)).start().expect("the pack is correct");
@@ -173,6 +179,9 @@ fn keys_units_and_words_that_a_pack_changes_are_followed() {
     assert_eq!(reply.get("joint_pos"), None, "{reply}");
     controller.set_state(|state| state.payload.mass = 2.5);
     assert_eq!(peer.call("get_payload")["mass"], json("2500.0"));
+    let set = r#"{"cmdName":"set_payload","mass":2,"centroid":{"x":1,"y":2,"z":3}}"#;
+    assert_eq!(peer.ask(set)["errorCode"], *"0");
+    assert_eq!(peer.call("get_payload")["centroid"], json(r#"{"x":1.0,"y":2.0,"z":3.0}"#));
     let packet = Peer::status(&controller).receive();
     assert!(packet.contains("\"drives\": \"on\"") && packet.contains("\"rate\": 0.5"), "{packet}");
     assert!(!packet.contains("\"enabled\"") && !packet.contains("\"rapidrate\""), "{packet}");

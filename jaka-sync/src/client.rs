@@ -48,8 +48,6 @@ pub struct Client {
 struct Of {
     info: &'static CommandInfo,
     role: Option<Role>,
-    /// Firmware in whose forms it is written.
-    firmware: Option<FirmwareVersion>,
 }
 
 impl Client {
@@ -127,8 +125,6 @@ impl Client {
     /// - [`InvalidArgument`](ErrorKind::InvalidArgument): the spec forbids a field; nothing was sent.
     /// - [`NotInFirmware`](ErrorKind::NotInFirmware): the firmware does not have the command or a field, which is known
     ///   after [`check_firmware`](Self::check_firmware); nothing was sent.
-    /// - [`FirmwareUnknown`](ErrorKind::FirmwareUnknown): the form of the command depends on the firmware; nothing was
-    ///   sent.
     /// - [`Refused`](ErrorKind::Refused): the controller refused; the command did not run.
     /// - [`Timeout`](ErrorKind::Timeout), [`ReplyLost`](ErrorKind::ReplyLost): the command may have run.
     /// - [`UnexpectedReply`](ErrorKind::UnexpectedReply): accepted, but the reply does not fit the spec.
@@ -152,10 +148,8 @@ impl Client {
         command: &C,
         timeout: Duration,
     ) -> Result<C::Reply, SendError<R>> {
-        // The firmware is read once for the check, the request and its reply, since another handle may set it.
-        let rules = self.rules();
-        command.check(rules).map_err(Error::from)?;
-        let of = Of { info: C::INFO, role: command.role(), firmware: rules.firmware };
+        command.check(self.rules()).map_err(Error::from)?;
+        let of = Of { info: C::INFO, role: command.role() };
         self.call_as(of, gate, timeout, &mut |out| command.write_request(out))
     }
 
@@ -167,9 +161,8 @@ impl Client {
         (info, request): (&'static CommandInfo, &dyn Written),
         timeout: Duration,
     ) -> Result<(), SendError<R>> {
-        let rules = self.rules();
-        request.check(rules).map_err(Error::from)?;
-        let of = Of { info, role: info.role, firmware: rules.firmware };
+        request.check(self.rules()).map_err(Error::from)?;
+        let of = Of { info, role: info.role };
         self.call_as(of, gate, timeout, &mut |out| request.write(out))
     }
 
@@ -184,7 +177,7 @@ impl Client {
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<A, SendError<R>> {
         let info = of.info;
-        let mut reader = TypedReply::of_firmware(info, of.firmware);
+        let mut reader = TypedReply::new(info);
         match self.exchange(of, gate, timeout, write, &mut reader) {
             Ok(()) => Ok(reader.take(&self.reply).map_err(|source| self.link.attach(unexpected(info.name, source)))?),
             Err(SendError::Failed(error)) if is_success_without_reply(info, &error) => {
@@ -198,13 +191,13 @@ impl Client {
     /// for each type of reply would make up most of this crate's compile time.
     fn exchange<R>(
         &mut self,
-        Of { info, role, firmware }: Of,
+        Of { info, role }: Of,
         gate: Gate<'_, R>,
         timeout: Duration,
         write: &mut dyn FnMut(&mut Writer),
         reader: &mut dyn ReadReply,
     ) -> Result<(), SendError<R>> {
-        let outgoing = Outgoing::of(&self.link.clock, info, timeout).of_handle(self.handle).in_forms_of(firmware);
+        let outgoing = Outgoing::of(&self.link.clock, info, timeout).of_handle(self.handle);
         self.link.call(outgoing.in_role(role), gate, write, &mut self.reply, reader)?;
         if info.ends_session {
             self.link.end(info);
@@ -249,7 +242,7 @@ impl Client {
         let role = commands.first().and_then(C::role);
         let count = commands.iter().take_while(|command| command.role() == role).count();
         let outgoing = Outgoing::of(&self.link.clock, C::INFO, self.config.reply_timeout).of_handle(self.handle);
-        let outgoing = outgoing.posted_for(owner).in_forms_of(self.link.firmware()).in_role(role);
+        let outgoing = outgoing.posted_for(owner).in_role(role);
         let (outgoing, stop) = self.link.begun(outgoing);
         let sent = self.link.transmit(&outgoing, gate, count, &mut |index, out| commands[index].write_request(out));
         sent.inspect_err(|_| stop.iter().for_each(UnderWay::failed))
@@ -261,10 +254,7 @@ impl Client {
     }
 
     /// Reads the controller's version once (`get_version`, 4.51). From then on the client refuses commands and fields
-    /// that, according to the spec, this firmware does not have. Values whose form depends on the firmware have the
-    /// form of this firmware; before this call the client refuses a command with such a form
-    /// ([`ErrorKind::FirmwareUnknown`]). All handles of the connection share the firmware; for status packets, see
-    /// [`Monitor::set_firmware`](crate::Monitor::set_firmware).
+    /// that, according to the spec, this firmware does not have. All handles of the connection share the firmware.
     ///
     /// By default, firmware is not checked. Raw calls and stop handles are never checked.
     ///

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use jaka_clock::Clock;
-use jaka_proto::FirmwareVersion;
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::framing::DEFAULT_MAX_FRAME;
 
@@ -41,7 +40,6 @@ pub struct Config {
     pub(crate) reconnect: Reconnect,
     pub(crate) recorder: Option<Recorder>,
     pub(crate) status_sampling: StatusSampling,
-    pub(crate) firmware: Option<FirmwareVersion>,
     pub(crate) clock: Clock,
 }
 
@@ -57,7 +55,6 @@ impl Default for Config {
             reconnect: Reconnect::Never,
             recorder: None,
             status_sampling: StatusSampling::All,
-            firmware: None,
             clock: Clock::default(),
         }
     }
@@ -70,18 +67,6 @@ impl Config {
     /// Returns the defaults, which the setters name.
     pub fn new() -> Self {
         Self::default()
-    }
-
-    /// Sets the controller's firmware, if it is known in advance. Not known by default: see
-    /// [`Client::check_firmware`](crate::Client::check_firmware).
-    pub fn firmware(mut self, firmware: Option<FirmwareVersion>) -> Self {
-        self.firmware = firmware;
-        self
-    }
-
-    /// The value of [`firmware`](Self::firmware).
-    pub fn get_firmware(&self) -> Option<FirmwareVersion> {
-        self.firmware
     }
 
     /// Sets the longest time for connecting, over all addresses of a name, which share the time. 5 s by default.

@@ -52,11 +52,6 @@ jaka_proto::worded! {
         ///
         /// Only if the firmware is known: see [`Client::check_firmware`](crate::Client::check_firmware).
         NotInFirmware(missing: NotInFirmware) => "{missing}",
-        /// The form of the request or of its reply depends on the firmware, which is unknown. Nothing was sent.
-        FirmwareUnknown {
-            /// `cmdName` of the request.
-            command: &'static str,
-        } => "`{command}` was not sent: its form depends on the firmware, which is not known",
         /// No connection could be made. Check the address and the cable, and check that the controller is on.
         ///
         /// A controller may refuse a second client of its command port, which serves one.
@@ -175,7 +170,6 @@ impl Error {
                 Remedy::FreeSeat
             }
             ErrorKind::Connect { .. } => Remedy::CheckAddress,
-            ErrorKind::FirmwareUnknown { .. } => Remedy::CheckFirmware,
             ErrorKind::StatusTimeout { .. } => Remedy::CheckStatusPort,
             ErrorKind::StatusUnknown { problem } => problem.remedy(),
             ErrorKind::Disconnected { command: None, cause, .. } if cause.is_by_controller() => Remedy::CheckNetwork,
@@ -201,7 +195,6 @@ impl Error {
             ErrorKind::Disconnected { sent, .. } => *sent,
             ErrorKind::InvalidArgument(_)
             | ErrorKind::NotInFirmware(_)
-            | ErrorKind::FirmwareUnknown { .. }
             | ErrorKind::Connect { .. }
             | ErrorKind::Refused { .. }
             | ErrorKind::KeptBack { .. }
@@ -296,7 +289,6 @@ impl StdError for Error {
             ErrorKind::StatusUnknown { problem } => problem.source(),
             ErrorKind::InvalidArgument(_)
             | ErrorKind::NotInFirmware(_)
-            | ErrorKind::FirmwareUnknown { .. }
             | ErrorKind::Refused { .. }
             | ErrorKind::KeptBack { .. }
             | ErrorKind::Timeout { .. }
@@ -331,7 +323,6 @@ impl From<NotSent> for Error {
         match not_sent {
             NotSent::InvalidArgument(invalid) => invalid.into(),
             NotSent::NotInFirmware(missing) => (*missing).into(),
-            NotSent::FirmwareUnknown { command } => ErrorKind::FirmwareUnknown { command }.into(),
         }
     }
 }

@@ -36,7 +36,7 @@ use crate::{Client, Disconnect, Error, ErrorKind, Monitor, StatusProblem, StopHa
 /// Failure behind an [`Error`], as a closed choice: each kind of error belongs to one of these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Failure {
-    /// The request is wrong, the firmware does not have it or is not known, or it was kept back. Nothing was sent.
+    /// The request is wrong, the firmware does not have it, or it was kept back. Nothing was sent.
     NotSent,
     /// No connection could be made.
     NotConnected,
@@ -60,10 +60,7 @@ impl Failure {
     /// Failure behind an error.
     pub fn of(error: &Error) -> Self {
         match error.kind() {
-            ErrorKind::InvalidArgument(_)
-            | ErrorKind::NotInFirmware(_)
-            | ErrorKind::FirmwareUnknown { .. }
-            | ErrorKind::KeptBack { .. } => Self::NotSent,
+            ErrorKind::InvalidArgument(_) | ErrorKind::NotInFirmware(_) | ErrorKind::KeptBack { .. } => Self::NotSent,
             ErrorKind::Connect { .. } => Self::NotConnected,
             ErrorKind::Refused { .. } => Self::Refused,
             ErrorKind::Timeout { .. } | ErrorKind::NotSentInTime { .. } | ErrorKind::ReplyLost { .. } => {

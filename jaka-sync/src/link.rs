@@ -66,7 +66,7 @@ pub struct Link {
     /// Number of stops that are being sent or wait for it. While there are any, no thread starts to send another
     /// command.
     passing: AtomicUsize,
-    /// Firmware of the controller, if it is known.
+    /// Firmware that requests are checked against, if any.
     firmware: Mutex<Option<FirmwareVersion>>,
 }
 
@@ -102,12 +102,11 @@ impl Link {
             state: Watched::new(&config.clock, state),
             stops: Stops::new(&config.clock),
             passing: AtomicUsize::new(0),
-            firmware: Mutex::new(config.firmware),
+            firmware: Mutex::new(None),
         }
     }
 
-    /// Firmware of the controller, if it is known.
-    pub fn firmware(&self) -> Option<FirmwareVersion> {
+    pub(crate) fn firmware(&self) -> Option<FirmwareVersion> {
         *lock(&self.firmware)
     }
 

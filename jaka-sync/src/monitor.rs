@@ -16,7 +16,6 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use jaka_clock::{Clock, Socket};
-use jaka_proto::FirmwareVersion;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::recording::Port;
 use jaka_proto::wire::{Decode, DecodeError};
@@ -84,12 +83,10 @@ struct BoardState<S> {
     reconnecting: bool,
     /// Number of times that waiting threads were told to check again.
     wakes: u64,
-    /// Firmware by which packets are read.
-    firmware: Option<FirmwareVersion>,
 }
 
 impl<S> BoardState<S> {
-    fn new(stream: Option<Arc<Socket>>, tap: Tap, firmware: Option<FirmwareVersion>) -> Self {
+    fn new(stream: Option<Arc<Socket>>, tap: Tap) -> Self {
         Self {
             latest: None,
             counters: Counters::default(),
@@ -102,7 +99,6 @@ impl<S> BoardState<S> {
             closing: false,
             reconnecting: false,
             wakes: 0,
-            firmware,
         }
     }
 }
@@ -135,7 +131,7 @@ impl<S: Decode + Send + Sync + 'static> Monitor<S> {
         let address = address.to_string();
         let packets = Packets::connect(&address, config)?;
         let source_address = packets.tap.address();
-        let state = BoardState::new(Some(Arc::clone(&packets.stream)), packets.tap.clone(), config.firmware);
+        let state = BoardState::new(Some(Arc::clone(&packets.stream)), packets.tap.clone());
         let board = Arc::new(Board::new(&config.clock, state));
         let worker = thread::Worker::new(Arc::clone(&board), address, config.clone());
         let builder = std::thread::Builder::new().name("jaka-monitor".to_owned());
@@ -167,13 +163,6 @@ impl<S: 'static> Monitor<S> {
     /// The last packet that has come, even if the connection has ended since.
     pub fn last_known_packet(&self) -> Option<Arc<Snapshot<S>>> {
         self.board.lock().latest.clone()
-    }
-
-    /// Sets the firmware by which packets are read from now on; [`Config::firmware`] at first. It decides the form of a
-    /// value that depends on the firmware, if the packet does not show the form. While the firmware is unknown, such a
-    /// value does not fit.
-    pub fn set_firmware(&self, firmware: Option<FirmwareVersion>) {
-        self.board.lock().firmware = firmware;
     }
 
     /// True if no packet has come for longer than [`Config::stale_after`].

@@ -9,8 +9,6 @@ jaka_proto::worded! {
     pub enum Remedy {
         /// Nothing is known to help.
         None => "",
-        /// Ask the controller for its firmware.
-        CheckFirmware => "call `check_firmware` first",
         /// Check the address, the network, and that the controller is on.
         CheckAddress => "check the address, the network, and that the controller is on",
         /// Check the network, and that the controller is on.

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_clock::Clock;
-use jaka_proto::FirmwareVersion;
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, DecodeError, Reader};
 
@@ -41,7 +40,6 @@ pub struct StatusStream {
     stale_after: Duration,
     follows_silence: bool,
     broken: Option<Arc<Disconnect>>,
-    firmware: Option<FirmwareVersion>,
 }
 
 impl StatusStream {
@@ -67,7 +65,6 @@ impl StatusStream {
             stale_after: config.stale_after,
             follows_silence: false,
             broken: None,
-            firmware: config.firmware,
         })
     }
 
@@ -132,13 +129,6 @@ impl StatusStream {
         self.read_packet(|reader| status.decode_into(reader))
     }
 
-    /// Sets the firmware by which packets are read; [`Config::firmware`] at first. It decides the form of a value that
-    /// depends on the firmware, if the packet does not show the form. While the firmware is unknown, such a value does
-    /// not fit.
-    pub fn set_firmware(&mut self, firmware: Option<FirmwareVersion>) {
-        self.firmware = firmware;
-    }
-
     /// Text of the packet that was read last, as it was received; with `\udcNN` for each byte that is not UTF-8.
     pub fn packet_text(&self) -> Option<&str> {
         (!self.packets.text.is_empty()).then_some(&*self.packets.text)
@@ -160,7 +150,7 @@ impl StatusStream {
 
     fn read_packet<T>(&mut self, read: impl FnOnce(&mut Reader<'_>) -> Result<T, DecodeError>) -> Result<T, Error> {
         self.follows_silence = self.silence.is_followed_by(self.clock.now(), self.stale_after);
-        let mut reader = Reader::of_firmware(&self.packets.text, self.firmware);
+        let mut reader = Reader::new(&self.packets.text);
         let found = read(&mut reader).and_then(|found| reader.end().map(|()| found));
         self.unfit = reader.take_unfit();
         found.map_err(|source| self.packets.tap.attach(ErrorKind::UnexpectedStatus { source }.into()))

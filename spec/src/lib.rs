@@ -34,7 +34,6 @@ mod advice;
 mod builtin;
 mod evidence;
 mod files;
-mod form;
 mod item;
 mod keys;
 mod meaning;
@@ -64,8 +63,8 @@ pub use evidence::{Evidence, Mark, evidence_sentence};
 pub use files::{LONGEST_TEXT, open_regular, read_at_most, read_file, read_text, text_of};
 pub use keys::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
-    Choice, Command, Effect, EnumValue, ErrorCode, Event, EventFamily, EventTexts, Example, Field, Form, FormKind,
-    Refusal, Reply, Request, Requirement, Severity, Topic, Type, TypeDef, TypeForm, TypeId, TypeKind, Variant,
+    Choice, Command, Effect, EnumValue, ErrorCode, Event, EventFamily, EventTexts, Example, Field, Refusal, Reply,
+    Request, Requirement, Severity, Topic, Type, TypeDef, TypeId, TypeKind, Variant,
 };
 pub use names::{is_snake, to_camel, to_screaming, to_snake};
 pub use needed::{FieldSource, NEEDED_FIELDS, NeededField, NeededSource};
@@ -75,7 +74,7 @@ pub use report::{Error, Errors};
 pub use role::{Change, JOINT_POSITION, Motion, MotionMode, POSE, PathKind, Role};
 pub use scalar::Scalar;
 pub use spec::{Shape, Spec, is_floats};
-pub use unit::{Factors, unit_factor};
+pub use unit::unit_factor;
 pub use version::{Version, Versions};
 
 /// A TOML file: the path that errors name, and its text.

@@ -10,7 +10,6 @@ use crate::names::to_camel;
 use crate::range::{Advice, Range};
 use crate::role::{Change, Motion, Role};
 use crate::scalar::Scalar;
-use crate::unit::Factors;
 use crate::version::Versions;
 
 /// A named type of a spec, and of all specs that packs make of it: `spec[id]` is its definition.
@@ -235,14 +234,6 @@ impl Request {
         };
         fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields))
     }
-
-    pub(crate) fn fields_mut(&mut self) -> impl Iterator<Item = &mut Field> {
-        let (fields, variants) = match self {
-            Self::Fields(fields) => (fields.as_mut_slice(), &mut [][..]),
-            Self::Choice(choice) => (&mut [][..], choice.variants.as_mut_slice()),
-        };
-        fields.iter_mut().chain(variants.iter_mut().flat_map(|variant| &mut variant.fields))
-    }
 }
 
 /// The body of a reply.
@@ -260,10 +251,6 @@ impl Reply {
     /// The fields that no named type has; `None` if the reply is an object of a named type.
     pub fn own_fields(&self) -> &[Field] {
         if let Self::Fields(fields) = self { fields } else { &[] }
-    }
-
-    pub(crate) fn own_fields_mut(&mut self) -> &mut [Field] {
-        if let Self::Fields(fields) = self { fields } else { &mut [] }
     }
 
     /// The named type whose keys the reply has, if it is an object of one.
@@ -335,67 +322,9 @@ pub struct Field {
     pub versions: Versions,
     /// Sources of what the document does not say.
     pub evidence: Vec<Evidence>,
-    /// Other forms of the field, each in some firmware; no firmware has two of them.
-    pub forms: Vec<Form>,
 }
 
 impl Field {
-    /// Its key as JSON text, with its quotes and colon.
-    pub fn key(&self) -> String {
-        key(&self.wire)
-    }
-
-    /// True if the version alone tells two forms apart: a number in another unit under the same key, or a word that
-    /// means false in one form and true in the other.
-    pub fn has_forms_alike(&self) -> bool {
-        self.keys().any(|key| self.are_alike_under(key))
-    }
-
-    /// True if the version alone tells two forms under a key apart.
-    pub fn are_alike_under(&self, key: &str) -> bool {
-        let forms: Vec<_> = self.forms_under(key).collect();
-        let are_alike = |form: &Form, other: &Form| form.unit != other.unit || form.ty.contradicts(&other.ty);
-        forms.iter().enumerate().any(|(at, form)| forms[at + 1..].iter().any(|other| are_alike(form, other)))
-    }
-
-    /// Keys of the field in any firmware, its own first, each once.
-    pub fn keys(&self) -> impl Iterator<Item = &str> {
-        let others = self.forms.iter().enumerate().filter(|(at, form)| {
-            form.wire != self.wire && self.forms[..*at].iter().all(|before| before.wire != form.wire)
-        });
-        std::iter::once(&*self.wire).chain(others.map(|(_, form)| &*form.wire))
-    }
-
-    /// Forms of the field under a key, its own first if it has that key.
-    pub fn forms_under(&self, key: &str) -> impl Iterator<Item = Form> {
-        let own = self.own_form();
-        std::iter::once(own).chain(self.forms.iter().cloned()).filter(move |form| form.wire == key)
-    }
-
-    /// Form of the field in all firmware that none of its other forms is for.
-    pub fn own_form(&self) -> Form {
-        let Self { wire, ty, unit, .. } = self;
-        let (wire, ty, unit) = (wire.clone(), ty.clone(), unit.clone());
-        Form { versions: Versions::default(), wire, ty, unit, factors: Factors::ONE }
-    }
-}
-
-/// Form of a field in some firmware. Rust has one type for all forms of a field.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Form {
-    /// Firmware that has the form.
-    pub versions: Versions,
-    /// Key on the wire; empty for an element of an array.
-    pub wire: String,
-    /// Type on the wire, which differs from the field's by words for false and true, or by `python(…)`.
-    pub ty: Type,
-    /// Unit of its number or numbers.
-    pub unit: Option<String>,
-    /// Factor from a number of this form to one in the field's unit, and the one back.
-    pub factors: Factors,
-}
-
-impl Form {
     /// Its key as JSON text, with its quotes and colon.
     pub fn key(&self) -> String {
         key(&self.wire)
@@ -457,26 +386,6 @@ impl Type {
     pub fn named(&self) -> Option<TypeId> {
         if let Self::Named(id) = self.innermost() { Some(*id) } else { None }
     }
-
-    /// True if a value may mean one thing as this type, and another as that.
-    #[expect(clippy::match_same_arms, reason = "a text may be a literal, and is one of a list")]
-    fn contradicts(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Python(inner), Self::Python(other)) => inner.contradicts(other),
-            // A literal of an array or an object is a string, which these are not.
-            (Self::Python(inner), _) | (_, Self::Python(inner)) => matches!(**inner, Self::Scalar(_)),
-            (Self::List(element), Self::List(other)) => element.contradicts(other),
-            (Self::Array(element, _), Self::Array(other, _)) => element.contradicts(other),
-            (Self::Scalar(Scalar::Bool { off, on }), Self::Scalar(Scalar::Bool { off: other_off, on: other_on })) => {
-                let words = [off, on, other_off, other_on].map(|word| word.trim_matches('"'));
-                words.iter().any(|word| {
-                    let [ours, theirs] = [[off, on], [other_off, other_on]].map(|[off, on]| truth(word, off, on));
-                    ours.is_some_and(|ours| theirs.is_some_and(|theirs| ours != theirs))
-                })
-            }
-            _ => false,
-        }
-    }
 }
 
 /// A named type.
@@ -488,33 +397,6 @@ pub struct TypeDef {
     pub doc: String,
     /// Kind of the type, with its parts.
     pub kind: TypeKind,
-    /// Other forms of the type, each in some firmware; no firmware has two of them.
-    pub forms: Vec<TypeForm>,
-}
-
-/// Form of a named type in some firmware.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TypeForm {
-    /// Firmware that has the form.
-    pub versions: Versions,
-    /// Difference from the type's own form.
-    pub kind: FormKind,
-}
-
-/// Difference of a type's form from the type's own.
-#[derive(Debug, Clone, PartialEq)]
-pub enum FormKind {
-    /// A JSON object with these keys, one for each element of the array.
-    Object(Vec<String>),
-    /// A JSON array with an element for each field of the object.
-    Array,
-    /// Numbers in another unit.
-    Unit {
-        /// The unit.
-        unit: String,
-        /// Factor from a number of this form to one in the type's unit, and the one back.
-        factors: Factors,
-    },
 }
 
 /// Kind of a [`TypeDef`], with its parts.
@@ -539,24 +421,14 @@ pub enum TypeKind {
     Wrapper(Type, Option<String>),
 }
 
-impl TypeDef {
-    /// True if the version alone tells two forms apart: numbers in another unit.
-    pub fn has_forms_alike(&self) -> bool {
-        self.forms.iter().any(|form| match form.kind {
-            FormKind::Unit { .. } => true,
-            FormKind::Object(_) | FormKind::Array => false,
-        })
-    }
-}
-
 impl TypeKind {
-    /// Kind without docs, ranges, versions and forms.
+    /// Kind without docs, ranges and versions.
     pub(crate) fn undescribed(&self) -> Self {
         let mut kind = self.clone();
         let plain = |fields: &mut Vec<Field>| {
             for field in fields {
                 (field.doc, field.range, field.versions) = (String::new(), Range::default(), Versions::default());
-                (field.advised, field.disputed, field.forms) = (Vec::new(), Vec::new(), Vec::new());
+                (field.advised, field.disputed) = (Vec::new(), Vec::new());
                 field.evidence.clear();
             }
         };
@@ -594,15 +466,6 @@ impl TypeKind {
             Self::Wrapper(..) | Self::IntEnum(_) | Self::TextEnum(_) => (&[][..], &[][..]),
         };
         fields.iter().chain(variants.iter().flat_map(|variant| &variant.fields))
-    }
-
-    pub(crate) fn fields_mut(&mut self) -> impl Iterator<Item = &mut Field> {
-        let (fields, variants) = match self {
-            Self::Object(fields) | Self::Array { fields, .. } => (fields.as_mut_slice(), &mut [][..]),
-            Self::Choice(choice) => (&mut [][..], choice.variants.as_mut_slice()),
-            Self::Wrapper(..) | Self::IntEnum(_) | Self::TextEnum(_) => (&mut [][..], &mut [][..]),
-        };
-        fields.iter_mut().chain(variants.iter_mut().flat_map(|variant| &mut variant.fields))
     }
 }
 
@@ -746,16 +609,4 @@ pub struct Example {
     pub request_is_ours: bool,
     /// True if values of the reply are ours.
     pub reply_is_ours: bool,
-}
-
-/// Meaning of a word as a truth value with these two forms, or in one of the usual ones.
-fn truth(word: &str, off: &str, on: &str) -> Option<bool> {
-    let is = |forms: &[&str]| forms.iter().any(|form| form.trim_matches('"').eq_ignore_ascii_case(word));
-    match word {
-        _ if is(&[off]) => Some(false),
-        _ if is(&[on]) => Some(true),
-        _ if is(&["false", "0"]) => Some(false),
-        _ if is(&["true", "1"]) => Some(true),
-        _ => None,
-    }
 }

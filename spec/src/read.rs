@@ -15,7 +15,6 @@ use crate::{Source, evidence};
 mod common;
 mod event;
 mod field;
-mod form;
 mod role;
 mod types;
 mod wire;
@@ -24,10 +23,9 @@ use common::{camel_name, doc, keyword, snake_name, word};
 pub(crate) use common::{required_doc, versions, wire_int};
 pub(crate) use event::{event, event_family};
 pub(crate) use field::{OPTIONAL_LAST, changed_field, field, fields};
-pub(crate) use form::type_forms;
 pub(crate) use role::motion;
 use types::variants;
-pub(crate) use types::{NO_STATUS_FORM, array_variant, changed_value, enum_value, type_def, variant};
+pub(crate) use types::{array_variant, changed_value, enum_value, type_def, variant};
 
 /// Reads a file of the spec. What cannot be read is reported and left out.
 pub(crate) fn topic<'s>(source: Source<'s>, index: &mut Index<'s>, report: &Report) -> Topic {

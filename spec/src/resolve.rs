@@ -11,7 +11,7 @@ use crate::report::{At, Report};
 use crate::spec::Spec;
 use crate::type_text::notation;
 use crate::words::event_code;
-use crate::{advice, form, meaning};
+use crate::{advice, meaning};
 
 /// Message for a field that cannot have `constructors`.
 pub(crate) const NO_ENUM: &str = "`constructors` is for a field whose type is an enum";
@@ -49,10 +49,6 @@ pub(crate) enum Need {
     Reply(TypeId),
     /// The advised limits of these fields, which stand next to each other, make sense.
     Advised(Vec<Field>),
-    /// The forms of the type fit its fields.
-    Forms(TypeId),
-    /// The type is an array or an object, which no text is.
-    Parts(Type),
     /// The setting that the query remembers has fields of its reply.
     Remembers(Box<Command>),
     /// The command's role and motion fit its fields.
@@ -143,7 +139,7 @@ impl<'s> Index<'s> {
         let found = self.types.iter().position(|known| known.name == name);
         TypeId(found.unwrap_or_else(|| {
             let kind = TypeKind::Object(Vec::new());
-            self.types.push(TypeDef { name: name.to_owned(), doc: String::new(), kind, forms: Vec::new() });
+            self.types.push(TypeDef { name: name.to_owned(), doc: String::new(), kind });
             self.types.len() - 1
         }))
     }
@@ -225,11 +221,9 @@ pub(crate) fn check(index: &Index<'_>, report: &Report) {
             Need::Type(ty) => type_problem(index, ty),
             Need::Enum(id) => (!is_enum(&index.types[id.0].kind)).then(|| NO_ENUM.to_owned()),
             Need::Reply(id) if !index.defined.contains(id) => None,
-            Need::Reply(id) => (!can_be_reply(&index.types[id.0])).then(|| NO_REPLY.to_owned()),
+            Need::Reply(id) => (!can_be_reply(&index.types[id.0].kind)).then(|| NO_REPLY.to_owned()),
             Need::Advised(fields) if has_ends => advice::problem(fields, &index.types),
             Need::Advised(_) => None,
-            Need::Forms(id) => form::problem(&index.types[id.0]).map(str::to_owned),
-            Need::Parts(ty) => (!has_parts(index, ty)).then(|| LITERAL.to_owned()),
             Need::Remembers(query) => meaning::remembers_problem(query, &index.settings, &index.types),
             Need::Meaning(command) => meaning::problem(command, &index.types),
             Need::EventFamily(name) => {
@@ -262,27 +256,10 @@ fn is_enum(kind: &TypeKind) -> bool {
     matches!(kind, TypeKind::IntEnum(_) | TypeKind::TextEnum(_))
 }
 
-/// Rule of forms that are literals.
-const LITERAL: &str = "python(…) beside a form that is none is for an array or an object, which no text is";
-
-/// True for an array and for an object, in any of its forms.
-fn has_parts(index: &Index<'_>, ty: &Type) -> bool {
-    match ty {
-        Type::List(_) | Type::Array(..) => true,
-        Type::Named(id) => match &index.types[id.0].kind {
-            TypeKind::Object(_) | TypeKind::Array { .. } | TypeKind::Choice(_) => true,
-            TypeKind::Wrapper(inner, _) => has_parts(index, inner),
-            TypeKind::IntEnum(_) | TypeKind::TextEnum(_) => false,
-        },
-        Type::Scalar(_) | Type::Python(_) => false,
-    }
-}
-
 const NO_REPLY: &str = "a reply is fields, or an object without the keys that every reply has";
 
-fn can_be_reply(def: &TypeDef) -> bool {
-    let is_free = |field: &Field| field.keys().all(|key| !ENVELOPE.contains(&key));
-    def.forms.is_empty() && matches!(&def.kind, TypeKind::Object(fields) if fields.iter().all(is_free))
+fn can_be_reply(kind: &TypeKind) -> bool {
+    matches!(kind, TypeKind::Object(fields) if fields.iter().all(|field| !ENVELOPE.contains(&&*field.wire)))
 }
 
 fn reaches_itself(index: &Index<'_>, id: TypeId) -> bool {

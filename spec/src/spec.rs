@@ -1,11 +1,10 @@
-//! A spec, and queries of it: items by name, types by their shape on the wire, forms by firmware, and the sources of
-//! the status that a robot needs.
+//! A spec, and queries of it: items by name, types by their shape on the wire, and the sources of the status that a
+//! robot needs.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Index;
 use std::sync::Arc;
 
-use crate::form::{settle, settle_type};
 use crate::model::{
     Choice, Command, EnumValue, ErrorCode, Event, EventFamily, Field, Reply, Topic, Type, TypeDef, TypeId, TypeKind,
 };
@@ -13,7 +12,6 @@ use crate::names::nearest;
 use crate::needed::{FieldSource, NEEDED_FIELDS, NeededSource, StatusLine};
 use crate::scalar::Scalar;
 use crate::type_text::notation;
-use crate::version::Versions;
 
 /// A whole protocol: the topics in the order they were given.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,8 +132,8 @@ impl Spec {
         }
     }
 
-    /// True if a type is defined here as in another spec, with all the types of which it is made, but for docs, ranges,
-    /// versions, and forms by firmware.
+    /// True if a type is defined here as in another spec, with all the types of which it is made, but for docs, ranges
+    /// and versions.
     pub fn defines_as(&self, other: &Self, ty: &Type) -> bool {
         let Some(id) = ty.named() else { return true };
         let def = &self[id];
@@ -238,72 +236,12 @@ impl Spec {
         notation(ty, &|id| &self[id].name)
     }
 
-    /// True if a command can be sent only once the firmware is known: its request has forms, or its reply has forms
-    /// that are told apart by the version alone.
-    pub fn needs_firmware(&self, command: &Command) -> bool {
-        let sent = |field: &Field| !field.forms.is_empty();
-        let sent_type = |def: &TypeDef| !def.forms.is_empty();
-        command.request.fields().any(|field| self.any(field, &sent, &sent_type))
-            || self.reply_fields(command).iter().any(|field| self.is_told_by_version(field))
-    }
-
-    /// True if a field, or anything inside it, has forms that the version alone tells apart.
-    pub fn is_told_by_version(&self, field: &Field) -> bool {
-        self.any(field, &Field::has_forms_alike, &TypeDef::has_forms_alike)
-    }
-
-    /// True if any field or type has forms.
-    pub fn varies_by_firmware(&self) -> bool {
-        self.commands().flat_map(Command::fields).any(|field| !field.forms.is_empty())
-            || self
-                .types()
-                .any(|(_, def)| !def.forms.is_empty() || def.kind.fields().any(|field| !field.forms.is_empty()))
-    }
-
-    /// True if a field of a message, or anything inside it, has forms.
-    pub fn has_forms(&self, fields: &[Field]) -> bool {
-        fields.iter().any(|field| self.any(field, &|field| !field.forms.is_empty(), &|def| !def.forms.is_empty()))
-    }
-
-    /// True if either holds of a field, or of anything inside it.
-    fn any(&self, field: &Field, of_field: &dyn Fn(&Field) -> bool, of_type: &dyn Fn(&TypeDef) -> bool) -> bool {
-        of_field(field) || field.ty.named().is_some_and(|id| self.any_in_type(id, of_field, of_type))
-    }
-
-    fn any_in_type(&self, id: TypeId, of_field: &dyn Fn(&Field) -> bool, of_type: &dyn Fn(&TypeDef) -> bool) -> bool {
-        let def = &self[id];
-        of_type(def)
-            || def.kind.fields().any(of_field)
-            || def.kind.parts().any(|part| self.any_in_type(part, of_field, of_type))
-    }
-
-    /// The spec as a firmware has it: each field and each type in the form of its version, and in no other; `is_among`
-    /// says of which versions the firmware's is one. Ranges are left out, since they are in the units of the spec's own
-    /// forms.
-    #[must_use]
-    pub fn of_firmware(&self, is_among: impl Fn(&Versions) -> bool) -> Self {
-        let mut spec = self.clone();
-        for topic in &mut spec.topics {
-            for command in &mut topic.commands {
-                command.request.fields_mut().for_each(|field| settle(field, &is_among));
-                command.reply.own_fields_mut().iter_mut().for_each(|field| settle(field, &is_among));
-            }
-        }
-        for def in &mut spec.types {
-            def.kind.fields_mut().for_each(|field| settle(field, &is_among));
-            settle_type(def, &is_among);
-        }
-        spec
-    }
-
     /// Sources of the status that a robot needs, in the order of [`NEEDED_FIELDS`]; `None` if the spec has no status
     /// packet.
     pub fn robot_status(&self) -> impl Iterator<Item = NeededSource<'_>> {
         NEEDED_FIELDS.iter().filter_map(|needed| {
             let known = self.as_built_in().status_fields().iter().find(|known| known.name == needed.name)?;
-            let is_changed = |field: &Field| {
-                field.wire != known.wire || field.ty != known.ty || self.has_forms(std::slice::from_ref(field))
-            };
+            let is_changed = |field: &Field| field.wire != known.wire || field.ty != known.ty;
             let source = self.status_source(known)?;
             let is_changed = self.status_lines.contains_key(needed.name)
                 || matches!(source, FieldSource::Field(field) if is_changed(field));

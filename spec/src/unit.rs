@@ -2,31 +2,6 @@
 
 use std::f64::consts::PI;
 
-/// Factors between a number of a form and the same in the spec's own unit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Factors {
-    /// From the form.
-    pub from: f64,
-    /// To the form.
-    pub to: f64,
-}
-
-impl Factors {
-    /// Factors of one unit.
-    pub const ONE: Self = Self { from: 1.0, to: 1.0 };
-
-    /// Factors between a form in one unit and a field in another; none for units of which no factor is known.
-    pub fn of(form: &str, own: &str) -> Option<Self> {
-        Some(Self { from: unit_factor(form, own)?, to: unit_factor(own, form)? })
-    }
-
-    /// True for those of one unit.
-    #[expect(clippy::float_cmp, reason = "the factors of one unit are exactly one")]
-    pub fn are_one(self) -> bool {
-        self.from == 1.0 && self.to == 1.0
-    }
-}
-
 /// Factor from a number in one unit to the same in another; none for units of which no factor is known.
 pub fn unit_factor(from: &str, to: &str) -> Option<f64> {
     const UNITS: &[&[(&str, f64)]] = &[

@@ -3,10 +3,7 @@
 use std::ops::RangeInclusive;
 
 pub use crate::names::{distance, nearest};
-use crate::{
-    Advice, Change, Command, Field, Form, FormKind, Motion, PathKind, Range, Requirement, Role, Scalar, Spec, TypeForm,
-    TypeKind, Versions,
-};
+use crate::{Advice, Change, Command, Field, Motion, PathKind, Range, Requirement, Role, Spec, TypeKind, Versions};
 
 /// The first sentence with its full stop, and all that follows.
 pub fn first_sentence(text: &str) -> (&str, &str) {
@@ -65,31 +62,6 @@ pub fn versions(versions: &Versions) -> Option<String> {
         (None, Some(until)) => Some(format!("up to {until}")),
         (None, None) => None,
     }
-}
-
-/// ``firmware 1.9 and later: key `cog`, in m``; `own` is the field.
-pub fn form(spec: &Spec, own: &Field, form: &Form) -> String {
-    let key = (form.wire != own.wire).then(|| format!("key `{}`", form.wire));
-    let ty = (form.ty != own.ty).then(|| match form.ty.scalar() {
-        Some(Scalar::Bool { off, on }) => format!("`{}`, written {off} and {on}", spec.notation(&form.ty)),
-        _ => format!("`{}`", spec.notation(&form.ty)),
-    });
-    let unit = form.unit.as_ref().filter(|_| form.unit != own.unit).map(|unit| format!("in {unit}"));
-    let parts: Vec<_> = [key, ty, unit].into_iter().flatten().collect();
-    format!("firmware {}: {}", versions(&form.versions).unwrap_or_default(), parts.join(", "))
-}
-
-/// ``firmware 1.9 and later: an object with the keys `x`, `y` ``.
-pub fn type_form(form: &TypeForm) -> String {
-    let what = match &form.kind {
-        FormKind::Object(keys) => {
-            let keys: Vec<_> = keys.iter().map(|key| format!("`{key}`")).collect();
-            format!("an object with the keys {}", keys.join(", "))
-        }
-        FormKind::Array => "an array of these values, in this order".to_owned(),
-        FormKind::Unit { unit, .. } => format!("in {unit}"),
-    };
-    format!("firmware {}: {what}", versions(&form.versions).unwrap_or_default())
 }
 
 /// `Known to firmware 1.5 to 1.6.` for a command. Of one that the document does not have, the spec's versions are an

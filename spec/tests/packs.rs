@@ -549,29 +549,8 @@ fn a_motion_follows_its_fields_and_can_be_unknown() {
 }
 
 #[test]
-fn a_field_with_forms_that_a_packet_lacks_does_not_fit_the_pack() {
-    let pack = pack(
-        "[[override]]\ntarget = 'RobotStatus'\nfield = 'protective_stop'\n[[override.form]]\nsince = '1.7'\nwire = 'halted'",
-    );
+fn a_changed_field_that_a_packet_lacks_does_not_fit_the_pack() {
+    let pack = pack("[[override]]\ntarget = 'RobotStatus'\nfield = 'protective_stop'\nwire = 'halted'");
     let changed: Vec<_> = pack.spec.robot_status().filter(|needed| needed.is_changed).collect();
     assert_eq!(changed.iter().map(|needed| needed.needed.name).collect::<Vec<_>>(), ["protective_stop"]);
-}
-
-/// The keys of the form would be those of three elements, and a fourth would have none.
-#[test]
-fn a_pack_on_a_pack_keeps_the_forms_of_types_whole() {
-    let lower = pack("[[override]]\ntarget = 'Centroid'\n[[override.form]]\nsince = '1.7'\nkind = 'object'").spec;
-    let text =
-        "title = \"Test\"\n[[extend]]\ntarget = 'Centroid'\n[[extend.field]]\nname = 'w'\ntype = 'float'\ndoc = 'D.'";
-    let errors = load_pack(&lower, Source { path: "upper.toml", text }).expect_err("an element has no key");
-    assert!(errors.to_string().contains("its form as an object has a key for each element"), "{errors}");
-}
-
-#[test]
-fn an_entry_with_forms_is_not_covered_by_one_without() {
-    let lower = pack("[[type]]\nname = 'Six'\nkind = 'wrapper'\ntype = 'float[6]'\nunit = 'deg'\ndoc = 'D.'").spec;
-    let text = "title = \"Test\"\n[[type]]\nname = 'Six'\nkind = 'wrapper'\ntype = 'float[6]'\nunit = 'deg'\ndoc = 'D.'\n\
-                [[type.form]]\nsince = '1.7'\nunit = 'rad'";
-    let errors = load_pack(&lower, Source { path: "upper.toml", text }).expect_err("radians would be read as degrees");
-    assert!(errors.to_string().contains("other forms by firmware"), "{errors}");
 }

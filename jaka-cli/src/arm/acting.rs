@@ -272,11 +272,11 @@ mod tests {
     #[test]
     fn commands_that_packs_change_are_not_sent_as_built_in() {
         let intents = [intent(&JointMove::absolute([0.0; 6], 10.0)).expect("the spec allows it")];
-        let form = "[[override]]\ntarget = 'joint_move'\nrequest = 'speed'\n[[override.form]]\nsince = '1.7'\n\
-                    unit = 'rad/s'\n";
+        let unit = "[[override]]\ntarget = 'joint_move'\nrequest = 'speed'\nunit = 'rad/s'\n\
+                    [[override]]\ntarget = 'joint_move'\nmotion = 'unknown'\n";
         let key = "[[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\nwire = 'joints'\n";
-        let joints = "[[override]]\ntarget = 'JointPosition'\n[[override.form]]\nsince = '1.7'\nunit = 'rad'\n";
-        for (pack, command) in [(form, "`joint_move`"), (key, "`get_joint_pos`"), (joints, "`joint_move`")] {
+        let words = "[[override]]\ntarget = 'get_robot_state'\nreply = 'enable'\nwritten = ['off', 'on']\n";
+        for (pack, command) in [(unit, "`joint_move`"), (key, "`get_joint_pos`"), (words, "`get_robot_state`")] {
             let refused = must_be_as_built_in(&spec(pack), &intents).expect_err("it would be sent in another form");
             assert!(refused.to_string().contains(command), "{refused}");
         }

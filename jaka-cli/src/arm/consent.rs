@@ -34,8 +34,7 @@ impl<'s> Intent<'s> {
     /// The spec forbids the request.
     pub(crate) fn of<C: proto::Command>(spec: &'s Spec, request: &C) -> Result<Self, Failure> {
         match request.check(AdvisoryRanges::Enforced) {
-            // The firmware is checked after connecting.
-            Ok(()) | Err(NotSent::FirmwareUnknown { .. }) => {}
+            Ok(()) => {}
             Err(NotSent::InvalidArgument(invalid)) => return Err(not_allowed(&invalid)),
             Err(forbidden @ NotSent::NotInFirmware(_)) => return Err(jaka_sync::Error::from(forbidden).into()),
         }

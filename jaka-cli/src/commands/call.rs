@@ -5,7 +5,6 @@
 
 mod consent;
 mod exchange;
-mod forms;
 mod help;
 mod lines;
 mod options;

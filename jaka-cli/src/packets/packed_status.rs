@@ -1,11 +1,9 @@
 //! Status packets read with packs.
 
-use std::collections::BTreeMap;
-use std::slice::from_ref;
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::OnceLock;
 
-use jaka_dynamic::{Forms, Lost, Message, Node, Reading, Translated, Translation};
-use jaka_robot::{FirmwareVersion, MotionStatus, Robot};
+use jaka_dynamic::{Node, Reading, Translation};
+use jaka_robot::{MotionStatus, Robot};
 use jaka_spec::{Field, FieldSource, NeededSource, Spec};
 use jaka_sync::proto::wire::{Decode, DecodeError, Reader};
 use jaka_sync::status::RobotStatus;
@@ -79,7 +77,7 @@ impl Decode for PackedStatus {
         let start = reader.mark();
         if !layout().is_built_in {
             if let Ok(Value::Object(packet)) = Value::decode(reader) {
-                return packed(packet, builtin::of_status(), layout(), forms(reader.firmware()));
+                return packed(packet, builtin::of_status(), layout());
             }
             reader.go_back(start);
         }
@@ -131,36 +129,8 @@ impl Layout {
     }
 }
 
-/// Returns the forms of a firmware by the protocol of status packets; `None` if all firmware has the same.
-fn forms(firmware: Option<FirmwareVersion>) -> Option<&'static Forms> {
-    static KNOWN: OnceLock<Mutex<BTreeMap<Option<FirmwareVersion>, &'static Forms>>> = OnceLock::new();
-    let spec = builtin::of_status();
-    if !spec.varies_by_firmware() {
-        return None;
-    }
-    let mut known = KNOWN.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(forms) = known.get(&firmware) {
-        return Some(forms);
-    }
-    // The forms stay in memory, since a program talks to one or few controllers.
-    let forms = &*Box::leak(Box::new(Forms::of(spec, firmware)?));
-    known.insert(firmware, forms);
-    Some(forms)
-}
-
-fn packed(
-    mut packet: Map<String, Value>,
-    spec: &'static Spec,
-    layout: &Layout,
-    forms: Option<&Forms>,
-) -> Result<PackedStatus, DecodeError> {
+fn packed(mut packet: Map<String, Value>, spec: &'static Spec, layout: &Layout) -> Result<PackedStatus, DecodeError> {
     let mut unfit = Vec::new();
-    if let Some(forms) = forms {
-        let Translated { members, lost, .. } = forms.read(Message::Status, &packet);
-        packet = members;
-        let is_unfit = |lost: &Lost| DecodeError::unfit("a value in a form of the firmware", &lost.value.to_string());
-        unfit.extend(lost.iter().map(|lost| is_unfit(lost).in_field(&lost.name)));
-    }
     for field in &layout.own {
         let node = Node::field(spec, field, packet.get(&field.wire).cloned());
         for misfit in node.departures().iter().filter(|found| found.reading == Reading::Unreadable) {
@@ -170,7 +140,7 @@ fn packed(
     }
     unfit.extend(of_program(spec));
     let text = Value::Object(as_built_in(spec, &packet)).to_string();
-    let mut reader = Reader::in_own_form(&text);
+    let mut reader = Reader::new(&text);
     let status = RobotStatus::decode(&mut reader)?;
     unfit.extend(reader.take_unfit());
     packet.retain(|key, _| layout.own.iter().any(|field| field.wire == *key));
@@ -197,10 +167,10 @@ fn as_built_in(spec: &Spec, packet: &Map<String, Value>) -> Map<String, Value> {
     builtin::spec().status_fields().iter().filter_map(member).collect()
 }
 
-/// Whether a field is read in every firmware as the built-in one: key, type, unit, and all parts of the type.
+/// Whether a field is read as the built-in one: key, type, unit, and all parts of the type.
 fn is_as_built_in(spec: &Spec, field: &Field, known: &Field) -> bool {
     let is_same = (&known.wire, &known.ty, &known.unit) == (&field.wire, &field.ty, &field.unit);
-    is_same && !spec.has_forms(from_ref(field)) && spec.defines_as(builtin::spec(), &field.ty)
+    is_same && spec.defines_as(builtin::spec(), &field.ty)
 }
 
 #[cfg(test)]
@@ -221,7 +191,7 @@ mod tests {
         let Ok(Value::Object(packet)) = Value::decode(&mut Reader::new(packet)) else {
             panic!("{packet} is no object")
         };
-        packed(packet, spec, &Layout::of(spec), None).expect("it can be read")
+        packed(packet, spec, &Layout::of(spec)).expect("it can be read")
     }
 
     const NEW_KEY: &str = "[[extend]]\ntarget = 'RobotStatus'\n[[extend.field]]\nwire = 'mood'\ntype = 'text'\n\

@@ -45,7 +45,7 @@ impl Protocol {
     /// Returns the facts of a command of this protocol.
     pub(crate) fn info(&self, command: &Command) -> &'static CommandInfo {
         let mut infos = self.infos.borrow_mut();
-        infos.entry(command.wire.clone()).or_insert_with(|| jaka_dynamic::command_info(&self.spec, command))
+        infos.entry(command.wire.clone()).or_insert_with(|| jaka_dynamic::command_info(command))
     }
 
     /// Makes this the protocol of status packets. Called before the first packet.

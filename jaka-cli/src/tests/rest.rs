@@ -198,7 +198,8 @@ fn a_stop_after_which_the_arm_cannot_be_observed_says_why() {
 #[test]
 fn a_pack_by_which_the_joints_are_others_keeps_rest_from_being_said() {
     let pack = scratch("radians.toml");
-    let text = "title = 'T'\n[[override]]\ntarget = 'JointPosition'\n[[override.form]]\nsince = '1.5'\nunit = 'rad'\n";
+    let text = "title = 'T'\n[[type]]\nname = 'Radians'\nkind = 'wrapper'\ntype = 'float[6]'\nunit = 'rad'\ndoc = 'D.'\n\
+                [[override]]\ntarget = 'get_joint_pos'\nreply = 'joint_pos'\ntype = 'Radians'\n";
     fs::write(&pack, text).expect("it can be written");
     let arm = arm();
     let run = jaka(&arm, ["stop", "--pack", &pack.display().to_string()]);

@@ -6,9 +6,8 @@ use std::time::Duration;
 use super::{Pending, RequestId};
 use crate::command::CommandInfo;
 use crate::envelope::Envelope;
-use crate::firmware::FirmwareVersion;
 use crate::refusal::Refusal;
-use crate::reply::{read_envelope, read_payload_of, read_reply_of};
+use crate::reply::{read_envelope, read_payload, read_reply};
 use crate::wire::{DecodeError, Fields};
 
 /// Reason for the failure of a request.
@@ -56,19 +55,13 @@ impl ReadReply for TextOnly {
 #[derive(Debug)]
 pub struct TypedReply<R> {
     command: &'static CommandInfo,
-    firmware: Option<FirmwareVersion>,
     payload: Option<Result<R, DecodeError>>,
 }
 
 impl<R: Fields> TypedReply<R> {
     /// Reads replies as that to `command`; none has been read yet.
     pub fn new(command: &'static CommandInfo) -> Self {
-        Self::of_firmware(command, None)
-    }
-
-    /// Reader of replies of this firmware.
-    pub fn of_firmware(command: &'static CommandInfo, firmware: Option<FirmwareVersion>) -> Self {
-        Self { command, firmware, payload: None }
+        Self { command, payload: None }
     }
 
     /// The payload of the reply that was read last, which is `text`.
@@ -76,13 +69,13 @@ impl<R: Fields> TypedReply<R> {
     /// # Errors
     /// The payload does not fit.
     pub fn take(self, text: &str) -> Result<R, DecodeError> {
-        self.payload.unwrap_or_else(|| read_payload_of(self.command, text, self.firmware))
+        self.payload.unwrap_or_else(|| read_payload(self.command, text))
     }
 }
 
 impl<R: Fields> ReadReply for TypedReply<R> {
     fn read<'a>(&mut self, text: &'a str) -> Result<Option<Envelope<'a>>, DecodeError> {
-        let reply = read_reply_of(self.command, text, self.firmware)?;
+        let reply = read_reply(self.command, text)?;
         self.payload = reply.payload;
         Ok(reply.envelope)
     }

@@ -22,7 +22,6 @@ crate::worded! {
         Unfit { expected: String, found: String } => "expected {expected}, found `{found}`",
         Missing { key: Cow<'static, str> } => (missing(key)),
         Repeated => "the key appears twice",
-        Ambiguous => "the value means one thing or another by firmware, and the firmware does not tell which",
     }
 }
 
@@ -56,13 +55,6 @@ impl DecodeError {
 
     pub(crate) fn repeated() -> Self {
         Self::new(Kind::Repeated)
-    }
-
-    /// The value has forms that are alike in JSON, and the firmware does not tell which it has.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn ambiguous() -> Self {
-        Self::new(Kind::Ambiguous)
     }
 
     fn new(kind: Kind) -> Self {

@@ -59,7 +59,7 @@ pub fn from_json(json: &str) -> Result<String, DecodeError> {
 impl Writer {
     /// Writes what `write` writes as JSON, but as a Python literal inside a string.
     pub fn python(&mut self, write: impl FnOnce(&mut Self)) {
-        let mut inner = Self::for_firmware(self.firmware);
+        let mut inner = Self::new();
         write(&mut inner);
         // A writer writes JSON; if it did not, the text itself is the best that can be sent.
         let literal = from_json(inner.as_str()).unwrap_or_else(|_| inner.into_string());
@@ -73,19 +73,12 @@ impl Reader<'_> {
     /// # Errors
     /// As [`field`](Self::field).
     pub fn field_python<T: Decode>(&mut self, name: &'static str, slot: &mut Option<T>) -> Result<(), DecodeError> {
-        self.field_with(name, slot, Self::python)
-    }
-
-    /// Reads a value that is written as a Python literal inside a string.
-    ///
-    /// # Errors
-    /// It is not, or does not fit.
-    #[doc(hidden)]
-    pub fn python<T: Decode>(&mut self) -> Result<T, DecodeError> {
-        let literal = self.text()?;
-        let json =
-            to_json(&literal).map_err(|error| DecodeError::unfit(format!("a Python literal ({error})"), &literal))?;
-        T::decode(&mut self.of_same_firmware(&json))
+        self.field_with(name, slot, |reader| {
+            let literal = reader.text()?;
+            let json = to_json(&literal)
+                .map_err(|error| DecodeError::unfit(format!("a Python literal ({error})"), &literal))?;
+            T::decode(&mut Reader::new(&json))
+        })
     }
 }
 

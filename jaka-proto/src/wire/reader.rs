@@ -16,7 +16,6 @@ use self::capture::Capture;
 use super::error::DecodeError;
 use super::number::{self, Scalar, whole};
 use super::{Decode, Fields, Writer};
-use crate::firmware::{FirmwareRange, FirmwareVersion};
 use crate::near::{first_of, plain_text};
 
 /// A position in a JSON text.
@@ -33,19 +32,6 @@ pub struct Reader<'a> {
     tolerant: bool,
     /// Errors of the values that were left out of a status packet.
     left_out: Vec<DecodeError>,
-    pub(super) firmware: Firmware,
-}
-
-/// Firmware of the messages that a reader reads.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) enum Firmware {
-    /// Not known: a value whose forms are alike cannot be read.
-    #[default]
-    Unknown,
-    /// Known by its version.
-    Version(FirmwareVersion),
-    /// None in particular: values have the spec's own forms, as serde has them.
-    Own,
 }
 
 /// A place to which a reader can go back.
@@ -58,32 +44,7 @@ pub struct Mark {
 impl<'a> Reader<'a> {
     /// Reads from the beginning of `text`.
     pub fn new(text: &'a str) -> Self {
-        Self {
-            text,
-            at: 0,
-            comma: false,
-            depth: 0,
-            capture: Capture::NONE,
-            tolerant: false,
-            left_out: Vec::new(),
-            firmware: Firmware::Unknown,
-        }
-    }
-
-    /// Reads messages of this firmware from the beginning of `text`. Of a firmware that is not known, a value whose
-    /// forms are alike in JSON cannot be read.
-    pub fn of_firmware(text: &'a str, version: Option<FirmwareVersion>) -> Self {
-        let mut reader = Self::new(text);
-        reader.set_firmware(version);
-        reader
-    }
-
-    /// Reads values in the spec's own forms, which are those of no firmware in particular.
-    #[doc(hidden)]
-    pub fn in_own_form(text: &'a str) -> Self {
-        let mut reader = Self::new(text);
-        reader.firmware = Firmware::Own;
-        reader
+        Self { text, at: 0, comma: false, depth: 0, capture: Capture::NONE, tolerant: false, left_out: Vec::new() }
     }
 
     /// Returns the position of the reader.
@@ -168,55 +129,6 @@ impl<'a> Reader<'a> {
         let start = self.at;
         self.skip_strictly()?;
         Ok(&self.text[start..self.at])
-    }
-
-    /// Firmware of the messages, if it is known.
-    pub fn firmware(&self) -> Option<FirmwareVersion> {
-        match self.firmware {
-            Firmware::Version(version) => Some(version),
-            Firmware::Unknown | Firmware::Own => None,
-        }
-    }
-
-    /// Place of the form that the firmware has, by the firmware of each; none for the value's own form.
-    ///
-    /// # Errors
-    /// The firmware is not known.
-    #[doc(hidden)]
-    pub fn form(&self, forms: &[FirmwareRange]) -> Result<Option<usize>, DecodeError> {
-        match self.firmware {
-            Firmware::Unknown => Err(DecodeError::ambiguous()),
-            Firmware::Version(version) => Ok(FirmwareRange::place(forms, version)),
-            Firmware::Own => Ok(None),
-        }
-    }
-
-    /// True if the next value is a string, which may hold a Python literal.
-    #[doc(hidden)]
-    pub fn is_literal(&mut self) -> bool {
-        self.is_text()
-    }
-
-    /// True if the next value is an array.
-    #[doc(hidden)]
-    pub fn is_list(&mut self) -> bool {
-        self.is_array()
-    }
-
-    /// Reads a truth value, in any of the usual forms or as one of two words, of one of these pairs.
-    ///
-    /// # Errors
-    /// The value is none of these.
-    #[doc(hidden)]
-    pub fn words(&mut self, words: &[[&str; 2]]) -> Result<bool, DecodeError> {
-        let start = self.mark();
-        for [off, on] in words {
-            if let Ok(value) = self.word(off, on) {
-                return Ok(value);
-            }
-            self.go_back(start);
-        }
-        self.word("false", "true")
     }
 
     /// Reads a scalar if it is written in its usual form.
@@ -331,7 +243,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads a truth value, in any of the usual forms or as one of two words.
-    pub(super) fn word(&mut self, off: &str, on: &str) -> Result<bool, DecodeError> {
+    fn word(&mut self, off: &str, on: &str) -> Result<bool, DecodeError> {
         let is = |text: &str, word: &str| {
             text.eq_ignore_ascii_case(word) || whole(text).is_some_and(|number| whole(word) == Some(number))
         };
@@ -344,19 +256,6 @@ impl<'a> Reader<'a> {
                 bool::decode(self)
             }
         }
-    }
-
-    /// Sets the firmware of the messages, in place: moving the reader takes 5 % of the time of reading a short reply.
-    #[inline]
-    pub(crate) fn set_firmware(&mut self, version: Option<FirmwareVersion>) {
-        self.firmware = version.map_or(Firmware::Unknown, Firmware::Version);
-    }
-
-    /// Reads another text of the same firmware.
-    pub(super) fn of_same_firmware<'b>(&self, text: &'b str) -> Reader<'b> {
-        let mut reader = Reader::new(text);
-        reader.firmware = self.firmware;
-        reader
     }
 
     #[inline]
@@ -503,9 +402,8 @@ impl<'a> Reader<'a> {
 ///
 /// # Errors
 /// The text is not an object by its brackets, something follows it, or a field does not fit.
-pub(crate) fn read_message<T: Fields>(text: &str, firmware: Option<FirmwareVersion>) -> Result<T, DecodeError> {
+pub(crate) fn read_message<T: Fields>(text: &str) -> Result<T, DecodeError> {
     let mut reader = Reader::tolerant(text);
-    reader.set_firmware(firmware);
     let message = T::read_fields(&mut reader)?;
     finish(reader).map(|()| message)
 }

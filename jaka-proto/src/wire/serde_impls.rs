@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::{Decode, Encode, Reader, Typed, Writer};
 
-/// Serialises a value as its JSON on the wire, in the spec's own form.
+/// Serialises a value as its JSON on the wire.
 pub fn serialize<T: Encode, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
     let mut out = Writer::new();
     value.encode(&mut out);
@@ -16,7 +16,7 @@ pub fn serialize<T: Encode, S: Serializer>(value: &T, serializer: S) -> Result<S
 /// Deserialises a value from its JSON on the wire. Nothing is left out, also not of a status packet.
 pub fn deserialize<'de, T: Decode, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
     let json = Value::deserialize(deserializer)?.to_string();
-    let mut reader = Reader::in_own_form(&json);
+    let mut reader = Reader::new(&json);
     let value = T::decode(&mut reader).map_err(de::Error::custom)?;
     reader.take_unfit().into_iter().next().map_or(Ok(value), |unfit| Err(de::Error::custom(unfit)))
 }

@@ -5,32 +5,17 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::Encode;
-use crate::firmware::{FirmwareRange, FirmwareVersion};
 
 /// Writes JSON into a buffer that is reused from message to message.
 #[derive(Debug, Default, Clone)]
 pub struct Writer {
     text: String,
-    /// Firmware for which values are written; none for the spec's own forms.
-    pub(super) firmware: Option<FirmwareVersion>,
 }
 
 impl Writer {
     /// A writer with an empty buffer.
     pub fn new() -> Self {
         Self::default()
-    }
-
-    /// Writer of messages for this firmware. Without one, values are written in the spec's own forms.
-    pub fn for_firmware(version: Option<FirmwareVersion>) -> Self {
-        let mut writer = Self::new();
-        writer.firmware = version;
-        writer
-    }
-
-    /// Sets the firmware for which messages are written.
-    pub fn set_firmware(&mut self, version: Option<FirmwareVersion>) {
-        self.firmware = version;
     }
 
     /// Empties the buffer and keeps its memory.
@@ -130,13 +115,6 @@ impl Writer {
             }
         }
         self.text.push(']');
-    }
-
-    /// Place of the form that the firmware has, by the firmware of each; none for the value's own form.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn form(&self, forms: &[FirmwareRange]) -> Option<usize> {
-        self.firmware.and_then(|version| FirmwareRange::place(forms, version))
     }
 
     /// Writes a character that cannot stand in a string as it is.

@@ -156,7 +156,7 @@ impl Position {
         place: impl Fn(R) -> Place,
     ) -> Result<Option<Place>, Error> {
         let link = &self.link;
-        let (mut text, mut reader) = (String::new(), TypedReply::of_firmware(info, link.firmware()));
+        let (mut text, mut reader) = (String::new(), TypedReply::new(info));
         if !link.poll(question, time, &mut text, &mut reader)? {
             return Ok(None);
         }

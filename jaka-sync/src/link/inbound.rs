@@ -188,7 +188,7 @@ impl Link {
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<Sent<'static>, Error> {
         let outgoing = Outgoing::of(&self.clock, info, self.reply_timeout).of_handle(by).in_role(role);
-        self.send(&outgoing.in_forms_of(self.firmware()), write)
+        self.send(&outgoing, write)
     }
 
     /// Waits for the reply to a question for at most `slice`, puts its text into `text` and lets `reader` read it.

@@ -80,8 +80,6 @@ impl Link {
         let (Some(outbound), Some(stream)) = (turn.outbound.as_mut(), state.stream.clone()) else {
             return Err(self.attach(outgoing.not_sent()).into());
         };
-        outgoing.check_firmware().map_err(|error| self.attach(error))?;
-        outbound.out.set_firmware(outgoing.firmware);
         // A panic of the writing code leaves no request: none is entered yet, and the next call clears the buffer.
         outbound.compose(count.min(state.room(outgoing, &self.stops)), write);
         match gate {

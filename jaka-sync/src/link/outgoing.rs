@@ -8,10 +8,10 @@ use jaka_clock::{Clock, Stopwatch};
 use jaka_proto::check::{NotSent, Rules};
 use jaka_proto::exchange::{Owner, Support};
 use jaka_proto::wire::Writer;
-use jaka_proto::{Command, CommandInfo, Effect, FirmwareVersion, Role};
+use jaka_proto::{Command, CommandInfo, Effect, Role};
 
 use super::not_sent_in_time;
-use crate::{Error, ErrorKind};
+use crate::Error;
 
 /// Handle of a connection: its first client, or one of [`Client::try_clone`](crate::Client::try_clone).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -104,8 +104,6 @@ pub(crate) struct Outgoing<'o> {
     pub(super) owner: Owner,
     /// Facts of the command; `None` for one that neither the spec nor its caller knows.
     pub(super) info: Option<&'static CommandInfo>,
-    /// Firmware in whose forms it is written, and its reply is read.
-    pub(super) firmware: Option<FirmwareVersion>,
 }
 
 impl<'o> Outgoing<'o> {
@@ -134,22 +132,6 @@ impl<'o> Outgoing<'o> {
             by: Handle::FIRST,
             owner: Handle::FIRST.owner(),
             info: None,
-            firmware: None,
-        }
-    }
-
-    /// Sets the firmware in whose forms the command is written.
-    pub(crate) fn in_forms_of(self, firmware: Option<FirmwareVersion>) -> Self {
-        Self { firmware, ..self }
-    }
-
-    /// Fails if the form depends on the firmware and the firmware is unknown.
-    pub(super) fn check_firmware(&self) -> Result<(), Error> {
-        match self.info {
-            Some(info) if info.needs_firmware && self.firmware.is_none() => {
-                Err(ErrorKind::FirmwareUnknown { command: info.name }.into())
-            }
-            _ => Ok(()),
         }
     }
 

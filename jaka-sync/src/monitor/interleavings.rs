@@ -27,7 +27,7 @@ fn check(test: fn()) {
 
 /// Monitor without a connection, and the worker of its thread.
 fn monitor(config: &Config) -> (Arc<Monitor<i64>>, Worker<i64>) {
-    let board = Arc::new(Board::new(&config.clock, BoardState::new(None, Tap::default(), None)));
+    let board = Arc::new(Board::new(&config.clock, BoardState::new(None, Tap::default())));
     let worker = Worker::new(Arc::clone(&board), String::new(), config.clone());
     (Arc::new(Monitor { board, clock: config.clock.clone(), thread: None, timeout: LONG, stale_after: LONG }), worker)
 }

@@ -139,8 +139,7 @@ impl<S: Decode> Worker<S> {
     /// Decodes a packet. A panic of the user's own decoder becomes an error.
     fn decode(&mut self, packet: &str) -> Result<Arc<Snapshot<S>>, DecodeError> {
         let (spare, number, clock) = (self.spare.take(), self.number, &self.config.clock);
-        let reader = Reader::of_firmware(packet, self.board.lock().firmware);
-        let decoded = panic::catch_unwind(AssertUnwindSafe(|| decode_over(spare, reader, number, clock)));
+        let decoded = panic::catch_unwind(AssertUnwindSafe(|| decode_over(spare, packet, number, clock)));
         let mut decoded = decoded
             .unwrap_or_else(|_| Err(DecodeError::unfit("a packet that the program's own decoder accepts", packet)))?;
         // No other thread has it yet.
@@ -286,11 +285,11 @@ impl<S: Decode> Worker<S> {
 /// Decodes a packet, into the memory of an unused earlier one if there is one.
 fn decode_over<S: Decode>(
     mut spare: Option<Arc<Snapshot<S>>>,
-    mut reader: Reader<'_>,
+    packet: &str,
     number: u64,
     clock: &Clock,
 ) -> Result<Arc<Snapshot<S>>, DecodeError> {
-    let received = clock.now();
+    let (mut reader, received) = (Reader::new(packet), clock.now());
     if let Some(snapshot) = spare.as_mut().and_then(Arc::get_mut) {
         snapshot.status.decode_into(&mut reader)?;
         reader.end()?;

@@ -28,9 +28,6 @@ pub(super) fn command(spec: &Spec, known: &Command, new: &Command) -> Covers {
 
 /// Checks that the type `known` of the spec covers the pack's.
 pub(super) fn type_def(spec: &Spec, known: TypeId, new: &TypeDef) -> Covers {
-    if !new.forms.is_empty() && spec[known].forms != new.forms {
-        return Err("it has other forms by firmware".to_owned());
-    }
     let fields = if spec.is_sent(known) { made } else { received };
     match (&spec[known].kind, &new.kind) {
         (TypeKind::Object(known), TypeKind::Object(new)) => fields(known, new),
@@ -82,8 +79,6 @@ pub(super) fn field(known: &Field, new: &Field) -> Covers {
         Err(format!("its field `{name}` is {}", if known.optional { "optional" } else { "always there" }))
     } else if !same_unit(known.unit.as_ref(), new.unit.as_ref()) {
         Err(format!("its field `{name}` has another unit"))
-    } else if !new.forms.is_empty() && known.forms != new.forms {
-        Err(format!("its field `{name}` has other forms by firmware"))
     } else if new.constructors && !known.constructors {
         Err(format!("its field `{name}` has no constructors"))
     } else {

@@ -10,7 +10,7 @@ use crate::item::{Item, Placed};
 use crate::keys::COMMAND_NAME;
 use crate::model::{Command, EnumValue, ErrorCode, Event, Field, Topic, Type, TypeId, TypeKind, Variant};
 use crate::report::{At, Report};
-use crate::resolve::{Index, Need};
+use crate::resolve::Index;
 use crate::role::MotionMode;
 use crate::spec::Spec;
 use crate::words::event_code;
@@ -82,10 +82,7 @@ impl<'s> Draft<'s, '_> {
         match (named.as_slice(), &target) {
             ([(part, name)], _) => self.change_field(item, name, (&target, variant.as_ref(), *part)),
             ([], Target::Command(wire)) => self.change_command(item, wire),
-            ([], Target::Type(id)) if item.has("form") => self.change_type_forms(item, *id),
-            ([], Target::Type(_)) => {
-                item.error(item.at, "`field`, `value` or `form` says what is overridden, and is missing");
-            }
+            ([], Target::Type(_)) => item.error(item.at, "`field` or `value` says what is overridden, and is missing"),
             _ => item.error(item.at, "an override is of one field: `request` or `reply`, not both"),
         }
     }
@@ -232,7 +229,7 @@ impl<'s> Draft<'s, '_> {
         let Some(list) = list(outer, spec, place) else { return false };
         let new = read::field(item, list.taken.as_deref(), index);
         let keyed = list.taken.is_some();
-        let same = list.fields.iter().find(|old| (keyed && shared_key(old, &new).is_some()) || old.name == new.name);
+        let same = list.fields.iter().find(|old| (keyed && old.wire == new.wire) || old.name == new.name);
         match same.map(|old| (old, covers::field(old, &new))) {
             Some((_, Ok(()))) => {
                 self.note(item, COVERED);
@@ -295,21 +292,6 @@ impl<'s> Draft<'s, '_> {
         !repeated
     }
 
-    /// Gives a type other forms by firmware.
-    fn change_type_forms(&mut self, item: &Item<'_, 's>, id: TypeId) {
-        let forms = read::type_forms(item, &self.spec[id].kind);
-        item.finish();
-        if self.spec.status_type() == Some(id) {
-            return item.error(item.at, read::NO_STATUS_FORM);
-        }
-        if self.spec.types[id.0].forms == forms {
-            self.note(item, COVERED);
-            return self.covered.changes.add(&Target::Type(id));
-        }
-        self.spec.types[id.0].forms = forms;
-        self.changed(item, &Target::Type(id));
-    }
-
     fn change_field(&mut self, item: &Item<'_, 's>, name: &Placed<'s, String>, place: Place<'_, 's>) {
         let spec_status = self.spec.status_type();
         let Self { spec, index, .. } = self;
@@ -326,10 +308,10 @@ impl<'s> Draft<'s, '_> {
         let new = read::changed_field(item, &fields[at], list.taken.as_deref().unwrap_or_default(), index);
         let mut others = fields.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, other)| other);
         if let Some(other) =
-            others.find(|other| other.name == new.name || list.taken.is_some() && shared_key(other, &new).is_some())
+            others.find(|other| other.name == new.name || list.taken.is_some() && other.wire == new.wire)
         {
-            let key = shared_key(other, &new).unwrap_or_default();
-            let what = if other.name == new.name { format!("name `{}`", new.name) } else { format!("key `{key}`") };
+            let what =
+                if other.name == new.name { format!("name `{}`", new.name) } else { format!("key `{}`", new.wire) };
             item.error(item.at, &format!("another field has the {what}"));
         }
         let old = &fields[at];
@@ -413,7 +395,6 @@ impl<'s> Draft<'s, '_> {
         self.edits.push((item.at, item.what.clone(), target.clone()));
         if let Target::Type(id) = target {
             self.index.define(self.spec[*id].clone());
-            self.index.needs(item, item.at, Need::Forms(*id));
         }
         self.changed.add(target);
     }
@@ -475,11 +456,6 @@ fn same_values(base: &Spec, spec: &Spec, ty: &Type, mode: &MotionMode) -> bool {
         _ => None,
     };
     [Some(mode.absolute), mode.offset].into_iter().flatten().all(|wire| name(base, wire) == name(spec, wire))
-}
-
-/// Key that both fields have, each in some firmware.
-fn shared_key<'f>(field: &'f Field, other: &Field) -> Option<&'f str> {
-    field.keys().find(|key| other.keys().any(|other| other == *key))
 }
 
 fn taken(old: &Field, new: &Field, difference: &str) -> String {

@@ -1,8 +1,7 @@
 //! The fields of requests, replies and types.
 
 use super::common::{required_doc, snake_name, versions};
-use super::form;
-use super::wire::{NEEDS_KEY, check_written, field_type, key, written};
+use super::wire::{NEEDS_KEY, field_type, key, written};
 use crate::item::{Item, Placed, Unique};
 use crate::model::{Field, Type};
 use crate::names::RESERVED_FIELDS;
@@ -29,10 +28,7 @@ pub(crate) fn fields<'s>(
         if taken.is_some() {
             keys.add(item, "key", &wire);
         }
-        for form in form::keys(item, &wire) {
-            keys.add(item, "key", &form);
-        }
-        let field = read(item, wire.value, name, (taken, index));
+        let field = read(item, wire.value, name, index);
         if taken.is_none() && optional_seen && !field.optional {
             item.error(item.at, OPTIONAL_LAST);
         }
@@ -49,7 +45,7 @@ pub(crate) const OPTIONAL_LAST: &str = "an element after an optional one must be
 /// One field of a struct; `taken` as in [`fields`].
 pub(crate) fn field<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>, index: &mut Index<'s>) -> Field {
     let (wire, name) = key_and_name(item, taken);
-    read(item, wire.value, name, (taken, index))
+    read(item, wire.value, name, index)
 }
 
 fn key_and_name<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>) -> (Placed<'s, String>, Placed<'s, String>) {
@@ -62,15 +58,10 @@ fn key_and_name<'s>(item: &Item<'_, 's>, taken: Option<&[&str]>) -> (Placed<'s, 
     (wire, name)
 }
 
-fn read<'s>(
-    item: &Item<'_, 's>,
-    wire: String,
-    name: Placed<'s, String>,
-    (taken, index): (Option<&[&str]>, &mut Index<'s>),
-) -> Field {
+fn read<'s>(item: &Item<'_, 's>, wire: String, name: Placed<'s, String>, index: &mut Index<'s>) -> Field {
     check_name(item, &name);
     let ty = field_type(item, index);
-    let mut field = Field {
+    let field = Field {
         name: name.value,
         constructors: constructors(item, &ty, index),
         ty,
@@ -84,11 +75,9 @@ fn read<'s>(
         disputed: item.texts("disputed").into_iter().map(|text| text.value).collect(),
         versions: versions(item, &Versions::default()),
         evidence: evidence::read(item),
-        forms: Vec::new(),
         wire,
     };
     check_field(item, &field);
-    field.forms = form::forms(item, &field, taken.unwrap_or_default(), index);
     item.finish();
     field
 }
@@ -150,16 +139,9 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str
         disputed: base.disputed.clone(),
         versions: versions(item, &base.versions),
         evidence: if item.has("evidence") { evidence::read(item) } else { base.evidence.clone() },
-        forms: Vec::new(),
     };
     settle(item, &mut field, base);
     check_field(item, &field);
-    // What a pack says of the field holds for each firmware of the pack.
-    let is_as_before = (&field.wire, &field.ty, &field.unit) == (&base.wire, &base.ty, &base.unit) && !field.or_raw;
-    field.forms = match form::forms(item, &field, taken, index) {
-        forms if forms.is_empty() && is_as_before => base.forms.clone(),
-        forms => forms,
-    };
     item.finish();
     field
 }
@@ -196,7 +178,14 @@ fn check_field(item: &Item<'_, '_>, field: &Field) {
     if field.range.advisory && field.range.min.is_none() && field.range.max.is_none() {
         item.error(item.at, "`advisory` is for a range: give `min` or `max`");
     }
-    check_written(item, &field.ty, !field.wire.is_empty() && !field.or_raw);
+    let is_whole = match &field.ty {
+        Type::Scalar(_) => true,
+        Type::Python(inner) => !inner.needs_key(),
+        other => !other.needs_key(),
+    };
+    if !is_whole || field.ty.needs_key() && (field.wire.is_empty() || field.or_raw) {
+        item.error(item.at, NEEDS_KEY);
+    }
     if field.ascii && field.ty.scalar() != Some(&Scalar::Text) {
         item.error(item.at, "`ascii` is for text");
     }

@@ -2,12 +2,11 @@
 
 use super::common::{camel_name, keyword, required_doc, versions, wire_int};
 use super::field::{fields, wrapped_type};
-use super::form;
 use super::role::role;
 use crate::evidence;
 use crate::item::{Item, Placed, Unique};
 use crate::model::{Choice, EnumValue, Field, TypeDef, TypeId, TypeKind, Variant};
-use crate::resolve::{Index, Need};
+use crate::resolve::Index;
 use crate::spec::STATUS_TYPE;
 use crate::version::Versions;
 
@@ -29,20 +28,10 @@ pub(crate) fn type_def<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> TypeId
     if name.value == STATUS_TYPE && !matches!(kind, TypeKind::Object(_)) {
         item.error(item.at, "the status packet is an object");
     }
-    let forms = form::type_forms(item, &kind);
-    if name.value == STATUS_TYPE && !forms.is_empty() {
-        item.error(item.at, NO_STATUS_FORM);
-    }
-    let has_forms = !forms.is_empty();
-    let id = index.define(TypeDef { name: name.value, doc: required_doc(item), kind, forms });
-    if has_forms {
-        index.needs(item, item.at, Need::Forms(id));
-    }
+    let id = index.define(TypeDef { name: name.value, doc: required_doc(item), kind });
     item.finish();
     id
 }
-
-pub(crate) const NO_STATUS_FORM: &str = "the status packet is an object in any firmware; its fields may have forms";
 
 fn array_choice<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Choice {
     let variants = variants(item, |item| array_variant_fields(item, index));

@@ -63,15 +63,3 @@ fn scalar_mut(ty: &mut Type) -> Option<&mut Scalar> {
 
 pub(super) const NEEDS_KEY: &str =
     "words for false and true, and python(…), are read only as the whole of a field that has a key and no `or_raw`";
-
-/// Reports a type that is read in a way of its own, and not as the whole of a field; `has_key` where the key is read.
-pub(super) fn check_written(item: &Item<'_, '_>, ty: &Type, has_key: bool) {
-    let is_whole = match ty {
-        Type::Scalar(_) => true,
-        Type::Python(inner) => !inner.needs_key(),
-        other => !other.needs_key(),
-    };
-    if !is_whole || ty.needs_key() && !has_key {
-        item.error(item.at, NEEDS_KEY);
-    }
-}

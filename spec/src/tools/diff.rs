@@ -82,8 +82,6 @@ impl fmt::Display for Difference {
 /// | `python(…)` around what functions take as `impl Into<…>`, or a method in place of the request | major | they take it otherwise |
 /// | unit: another | major | the same number means something else |
 /// | unit: stated or left out | patch | the number means what it meant |
-/// | form by firmware: added, where the firmware must be known for it | major | a command that has it is not sent before `check_firmware` |
-/// | any other change of a form | minor | only the bytes change |
 /// | range, `ascii`, newer firmware's values: narrower, where requests are checked | major | what was sent before is refused |
 /// | the same, wider | minor | more is sent |
 /// | the same in what is only received | patch | nothing is checked there: documentation |

@@ -26,8 +26,7 @@ use crate::Spec;
 /// | `lenient.Pose` and so on | a type as it is read; all types have one |
 ///
 /// What newer firmware takes beyond a range, or as a further value of an enum, does not pass in a request, nor does
-/// what is beyond what the spec advises. The text inside a Python literal is described, not checked. Values with forms
-/// by firmware are described in the spec's own forms; give [`Spec::of_firmware`] for those of another.
+/// what is beyond what the spec advises. The text inside a Python literal is described, not checked.
 ///
 /// ```
 /// let schema = jaka_spec::tools::schema(&jaka_spec::builtin()?);

@@ -1,14 +1,15 @@
 //! Programs with a robot of an invented firmware, which differ from others in TOML alone.
 //!
 //! With the two ports of the controller on loopback: commands of a pack, a motion that is waited for, a stop, and a
-//! setting. With `upstream` and the ports of two controllers, of the invented firmware and of an older one: the same
-//! code for both, by a spec in which values have the forms of both.
+//! setting. With `upstream` and the ports of two controllers, of the invented firmware and of an older one: one program
+//! for both, by a pack with the fields of both.
 
 use std::error::Error;
 use std::time::Duration;
 
 use jaka_robot::motion::JointMove;
-use jaka_robot::{Call as _, Cause, Client, Config, Monitor, MotionStatus, Robot};
+use jaka_robot::proto::wire::Typed;
+use jaka_robot::{Call as _, Cause, Client, Config, FirmwareVersion, Monitor, MotionStatus, Robot};
 
 jaka_robot::pack!("../invented_firmware/invented.toml");
 jaka_robot::pack!("../invented_firmware/upstream.toml");
@@ -64,14 +65,17 @@ fn glides(robot: &mut Robot<invented::RobotStatus>) -> Result<(), Box<dyn Error>
 fn turns(robot: &mut Robot<upstream::RobotStatus>) -> Result<(), Box<dyn Error>> {
     use upstream::UpstreamCommands as _;
 
-    let payload = upstream::SetPayload::new(1.5, [1.0, 2.0, 3.0]);
-    if robot.call(&payload).is_ok() {
-        return Err("the form of the payload is not known before the firmware is".into());
+    let firmware = robot.client().check_firmware()?;
+    let (array, object) = (Typed::Known([1.0, 2.0, 3.0].into()), Typed::Raw(r#"{"x":1.0,"y":2.0,"z":3.0}"#.parse()?));
+    let [older, newer] = [upstream::SetPayload::new(array).mass(1.5), upstream::SetPayload::new(object).weight(1.5)];
+    let (payload, other) = if firmware < FirmwareVersion::new([9, 1]) { (older, newer) } else { (newer, older) };
+    match robot.call(&other) {
+        Err(error) if error.is_not_in_firmware() => {}
+        other => return Err(format!("firmware {firmware} does not have the other key, but: {other:?}").into()),
     }
-    let firmware = robot.check_firmware()?;
     robot.call(&payload)?;
     let reply = robot.client().get_payload_upstream()?;
-    if (reply.mass, reply.centroid) != (1.5, payload.centroid) {
+    if (reply.mass, reply.weight, &reply.centroid) != (payload.mass, payload.weight, &payload.centroid) {
         return Err(format!("firmware {firmware} gives back {reply:?}").into());
     }
     let mut joints = robot.client().get_joint_pos()?.joint_position;

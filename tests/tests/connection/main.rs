@@ -9,7 +9,6 @@ mod faults;
 mod firmware;
 mod first_program;
 mod foreign_clients;
-mod forms;
 mod held_back;
 mod hostile_text;
 mod mistakes;

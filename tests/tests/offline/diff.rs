@@ -607,33 +607,3 @@ fn sources_of_what_a_robot_needs() {
     "]]
     .assert_eq(&lines(&diff(&spec(), &pack.spec)));
 }
-
-/// The built-in spec with the forms by firmware of a pack.
-pub(crate) fn with_forms() -> Spec {
-    let text = include_str!("../../data/forms.toml");
-    load_pack(&spec(), Source { path: "forms.toml", text }).expect("the pack is correct").spec
-}
-
-#[test]
-fn forms_by_firmware() {
-    let is_known = |change: &Difference| change.what != "added" && change.what != "removed";
-    let forms = |old: &Spec, new: &Spec| {
-        let changes: Vec<_> = diff(old, new).into_iter().filter(is_known).collect();
-        lines(&changes)
-    };
-    expect![[r#"
-        major: command `set_payload`, request field `mass`: other forms by firmware: firmware 1.7 and later: key `weight`
-        major: type `Centroid`: other forms by firmware: firmware 1.7 and later: an object with the keys `x`, `y`, `z`
-        major: type `RobotStatus`, field `curr_tcp_trans_vel`: other forms by firmware: firmware 1.7 and later: in m/s
-        minor: command `get_payload`, reply field `mass`: other forms by firmware: firmware 1.7 and later: key `weight`
-        minor: type `RobotStatus`, field `powered_on`: other forms by firmware: firmware 1.7 and later: key `power_state`, `bool`, written "off" and "on"
-    "#]].assert_eq(&forms(&spec(), &with_forms()));
-    expect![[r"
-        minor: command `get_payload`, reply field `mass`: other forms by firmware: none
-        minor: command `set_payload`, request field `mass`: other forms by firmware: none
-        minor: type `Centroid`: other forms by firmware: none
-        minor: type `RobotStatus`, field `curr_tcp_trans_vel`: other forms by firmware: none
-        minor: type `RobotStatus`, field `powered_on`: other forms by firmware: none
-    "]]
-    .assert_eq(&forms(&with_forms(), &spec()));
-}

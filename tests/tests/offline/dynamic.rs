@@ -6,6 +6,7 @@ mod problems;
 mod replies;
 mod replies_at_random;
 mod requests;
+mod translation;
 
 use std::sync::LazyLock;
 

@@ -17,32 +17,6 @@ fn the_committed_reference_is_that_of_the_spec() {
 }
 
 #[test]
-fn forms_by_firmware_stand_below_their_tables() {
-    let text = reference(&crate::diff::with_forms());
-    let lines: Vec<_> = text.lines().collect();
-    let below = |heading: &str| {
-        let at = lines.iter().position(|line| *line == heading).unwrap_or_else(|| panic!("no {heading}"));
-        let list = lines[at + 1..].iter().skip_while(|line| line.is_empty()).take_while(|line| !line.is_empty());
-        list.fold(format!("{heading}\n"), |text, line| format!("{text}{line}\n"))
-    };
-    let shown: String =
-        ["Other forms of `mass`:", "Other forms of `powered_on`:", "Other forms of `angle`:", "Other forms:"]
-            .map(below)
-            .concat();
-    expect![[r#"
-        Other forms of `mass`:
-        - firmware 1.7 and later: key `weight`
-        Other forms of `powered_on`:
-        - firmware 1.7 and later: key `power_state`, `bool`, written "off" and "on"
-        Other forms of `angle`:
-        - firmware 1.7 and later: in rad
-        Other forms:
-        - firmware 1.7 and later: an object with the keys `x`, `y`, `z`
-    "#]]
-    .assert_eq(&shown);
-}
-
-#[test]
 fn every_link_leads_to_one_heading() {
     let (english, chinese) = (reference(&spec()), reference_zh(&spec()));
     let (by_code, by_code_zh) = (events(&spec()), events_zh(&spec()));

@@ -7,7 +7,6 @@ use jaka_spec::Spec;
 use jaka_sync::{Client, Disconnect, Error, ErrorKind};
 use serde_json::{Map, Value, json};
 
-use super::forms::{self, FirmwareForms};
 use super::options::{Keys, Options};
 use super::request::Request;
 use super::{consent, reply, wait};
@@ -24,13 +23,9 @@ use crate::terminal::output;
 pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Request<'_>) -> Result<(), Failure> {
     if options.dry_run {
         // Prints the user's own bytes as they would be sent.
-        forms::must_be_known(protocol, request)?;
         return output::write(format!("{}\n", request.text).as_bytes());
     }
-    if options.wait {
-        // The outgoing text may have another form.
-        drop(wait::must_be_motion(protocol, request, &request.text)?);
-    }
+    let motion = options.wait.then(|| wait::must_be_motion(protocol, request)).transpose()?;
     let under_way = UnderWay::begin();
     let target = options.robot.target(&protocol.packs)?;
     consent::obtain(protocol, request, options, target.title())?;
@@ -38,22 +33,14 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options, request: &Reques
     if options.check_firmware {
         check_firmware(connection.client(), &protocol.spec, request)?;
     }
-    let mut forms = FirmwareForms::default();
-    let outgoing = forms.of(protocol, connection.client(), request)?;
-    if let Connection::Robot(robot) = &mut connection {
-        let motion = wait::must_be_motion(protocol, request, &outgoing.text)?;
+    if let (Connection::Robot(robot), Some(motion)) = (&mut connection, motion) {
         let patience = target.patience(motion::PATIENCE);
         let ended = motion::end(robot, |robot| robot.run(&motion, patience), &protocol.spec, &under_way)?;
         return motion::print(&request.name, ended, Form::of(options.json.is_some()));
     }
     let client = connection.client();
-    match send(client, (request, &outgoing.text), &target, &under_way) {
-        Ok(Some(text)) => {
-            if options.json == Some(Keys::Wire) {
-                json_line(&text)?;
-            }
-            print_reply(&protocol.spec, options, request, &outgoing.reply(&text)?)
-        }
+    match send(client, request, &target, &under_way) {
+        Ok(Some(text)) => print_reply(&protocol.spec, options, request, &text),
         Ok(None) => output::line("sent; the controller closed the connection instead of replying"),
         Err(error) => {
             let is_wire = options.json == Some(Keys::Wire);
@@ -100,13 +87,13 @@ impl Connection {
 /// Returns the reply's text; `None` if the controller went away where it may do so instead of replying.
 pub(super) fn send(
     client: &mut Client,
-    (request, text): (&Request<'_>, &str),
+    request: &Request<'_>,
     target: &Target,
     under_way: &UnderWay,
 ) -> Result<Option<String>, Error> {
     let usual = client.reply_timeout().max(request.command.and_then(|command| command.deadline).unwrap_or_default());
     under_way.set(Stage::Sent(format!("`{}`", request.name)));
-    let reply = client.call_text(text, target.patience(usual)).map(str::to_owned);
+    let reply = client.call_text(&request.text, target.patience(usual)).map(str::to_owned);
     under_way.set(Stage::Answered);
     let may_end = request.command.is_some_and(|command| !command.reply_certain);
     match reply {
@@ -137,11 +124,11 @@ pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robo
     failure
 }
 
-/// Prints a reply in the spec's own forms, unless it was printed as received.
+/// Prints a reply.
 fn print_reply(spec: &Spec, options: &Options, request: &Request<'_>, text: &str) -> Result<(), Failure> {
     let reply = Node::reply(spec, request.command, reply::json(text));
     match options.json {
-        Some(Keys::Wire) => {}
+        Some(Keys::Wire) => json_line(text)?,
         Some(Keys::Names) => {
             let line = json!({"command": request.name, "reply": reply.named()});
             output::json(&format!("{line}\n"))?;

@@ -1,6 +1,5 @@
 //! Lines of JSON on standard input, one request each, over one connection.
 
-use std::borrow::Cow;
 use std::io::{BufRead, stdin};
 
 use jaka_dynamic::Node;
@@ -8,7 +7,6 @@ use jaka_spec::COMMAND_NAME;
 use serde_json::{Value, json};
 
 use super::exchange::Connection;
-use super::forms::FirmwareForms;
 use super::options::Options;
 use super::request::Request;
 use super::{consent, exchange, reply, request, wait};
@@ -34,8 +32,7 @@ pub(super) fn carry_out(protocol: &Protocol, options: &Options) -> Result<(), Fa
         consent::warn_of_stops(protocol, options);
     }
     let connection = Connection::open(&target, options)?;
-    let forms = FirmwareForms::default();
-    let mut session = LineSession { protocol, options, target, connection, forms, under_way };
+    let mut session = LineSession { protocol, options, target, connection, under_way };
     let mut first = Ok(());
     session.under_way.set(Stage::Idle);
     for line in stdin().lock().lines() {
@@ -61,7 +58,6 @@ struct LineSession<'s> {
     options: &'s Options,
     target: Target,
     connection: Connection,
-    forms: FirmwareForms,
     under_way: UnderWay,
 }
 
@@ -85,8 +81,7 @@ impl LineSession<'_> {
         let request = request::of_text(spec, None, line, self.options.advisory_ranges)?;
         answer["command"] = request.name.as_str().into();
         self.allow(&request)?;
-        let outgoing = self.forms.of(self.protocol, self.connection.client(), &request)?;
-        let motion = if self.options.wait { wait::motion(self.protocol, &request, &outgoing.text)? } else { None };
+        let motion = if self.options.wait { wait::motion(self.protocol, &request)? } else { None };
         match (&mut self.connection, motion) {
             (Connection::Robot(robot), Some(motion)) => {
                 let patience = self.target.patience(motion::PATIENCE);
@@ -95,10 +90,8 @@ impl LineSession<'_> {
                 ended.reached()
             }
             (connection, _) => {
-                let sent =
-                    exchange::send(connection.client(), (&request, &outgoing.text), &self.target, &self.under_way);
+                let sent = exchange::send(connection.client(), &request, &self.target, &self.under_way);
                 let reply = sent.map_err(|error| exchange::explained(spec, &self.target, error))?;
-                let reply = reply.map(|text| outgoing.reply(&text).map(Cow::into_owned)).transpose()?;
                 let Some(text) = reply else {
                     answer["reply"] = Value::Null;
                     return Ok(());

@@ -5,8 +5,7 @@ mod samples;
 use std::fmt::Write;
 
 use jaka_dynamic::{Departure, DepartureKind, Node, Reading, notation, sample_value};
-use jaka_spec::{Field, Shape, Source, Spec, Type, TypeKind, load_pack};
-use jaka_sync::FirmwareVersion;
+use jaka_spec::{Field, Shape, Source, Spec, Type, load_pack};
 use jaka_sync::proto::text::{is_visible, visible};
 use serde_json::Value;
 
@@ -170,30 +169,6 @@ impl<'f> Draft<'f> {
         }
     }
 
-    /// Returns the form of the field's type in the controller's firmware: an array received as an object with named
-    /// elements, or an object received as an array.
-    fn form(&self, finding: &Finding, departure: &Departure, location: &Location<'f>) -> Option<String> {
-        let field = location.fields.iter().find(|field| key(field) == location.key)?;
-        let (Type::Named(id), Ok(version)) = (&field.ty, self.version.parse::<FirmwareVersion>()) else { return None };
-        let def = &self.spec[*id];
-        let values = samples::at(&finding.samples, &departure.field);
-        let has_names = |value: &&Value, fields: &[Field]| {
-            value.as_object().is_some_and(|object| {
-                object.len() == fields.len() && fields.iter().all(|field| object.contains_key(&field.name))
-            })
-        };
-        let has_length = |value: &&Value, fields: &[Field]| value.as_array().map(Vec::len) == Some(fields.len());
-        let kind = match &def.kind {
-            TypeKind::Array { fields, .. } if values.iter().all(|value| has_names(value, fields)) => "object",
-            TypeKind::Object(fields) if values.iter().all(|value| has_length(value, fields)) => "array",
-            _ => return None,
-        };
-        let name = quoted(&def.name);
-        let form =
-            format!("[[override]]\ntarget = {name}\n\n[[override.form]]\nsince = \"{version}\"\nkind = \"{kind}\"\n");
-        (!values.is_empty()).then_some(form)
-    }
-
     fn is_written(&self, location: &Location<'_>) -> bool {
         self.written.iter().any(|written| written.is(location))
     }
@@ -253,11 +228,6 @@ impl<'f> Draft<'f> {
         let entry =
             format!("[[override]]\ntarget = {target}\n{} = {}\n{change}\n", location.part, quoted(location.key));
         let comment = comment(&format!("TODO: check this change. {}: {departure}", finding.name));
-        if let Some(form) = self.form(finding, departure, &location).filter(|form| self.loads(&format!("\n{form}"))) {
-            self.text.extend(["\n", &comment, &form]);
-            self.written.push(location);
-            return;
-        }
         let loads = self.loads_with_line(&format!("\n{entry}"), &location);
         let entry = if loads { entry } else { entry.lines().map(self::comment).collect() };
         self.text.extend(["\n", &comment, &entry]);

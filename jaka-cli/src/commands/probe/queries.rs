@@ -1,7 +1,7 @@
 //! Queries of the command port.
 
 use itertools::Itertools as _;
-use jaka_dynamic::{AdvisoryRanges, Forms, Message, Node};
+use jaka_dynamic::{AdvisoryRanges, Node};
 use jaka_spec::{Command, Effect, Spec};
 use jaka_sync::{Client, Disconnect, Error, ErrorCode, ErrorKind};
 use serde_json::Map;
@@ -21,8 +21,7 @@ const MOST_RECONNECTS: u32 = 3;
 /// The first connection fails, or is closed before a reply, as by a controller whose seat is occupied. A later error is
 /// a finding.
 pub(super) fn ask_all(spec: &Spec, target: &Target, progress: &ProbeProgress) -> Result<Vec<Finding>, Failure> {
-    let (client, forms) = (Ok(target.client()?), Forms::of(spec, None));
-    let mut connection = ProbeConnection { target, client, forms, has_answered: false, reconnects: 0 };
+    let mut connection = ProbeConnection { target, client: Ok(target.client()?), has_answered: false, reconnects: 0 };
     let queries: Vec<_> = spec.commands().filter(|command| command.effect == Effect::Query).collect();
     let ask = |(number, command): (usize, &&Command)| {
         if progress.is_interrupted() {
@@ -41,8 +40,6 @@ struct ProbeConnection<'t> {
     target: &'t Target,
     /// Connection, or the reason for its absence.
     client: Result<Client, String>,
-    /// Forms of any firmware, if the spec has several.
-    forms: Option<Forms>,
     has_answered: bool,
     reconnects: u32,
 }
@@ -68,12 +65,8 @@ impl ProbeConnection<'_> {
         let timeout = self.target.patience(usual);
         let asked = client.call_text(&request, timeout).map(drop);
         let reply = client.last_reply().unwrap_or_default().to_owned();
-        let own = |reply: &str| match &self.forms {
-            Some(forms) => forms.own_text(Message::Reply(name), reply).unwrap_or_else(|_| reply.to_owned()),
-            None => reply.to_owned(),
-        };
         let finding = |reply: String| {
-            let departures = Node::reply(spec, command, reply_json(&own(&reply))).departures();
+            let departures = Node::reply(spec, command, reply_json(&reply)).departures();
             Finding::of(name, departures, reply)
         };
         let Err(error) = asked else {

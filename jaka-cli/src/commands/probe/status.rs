@@ -1,6 +1,6 @@
 //! Packets of the status port.
 
-use jaka_dynamic::{Departure, Forms, Message, Node};
+use jaka_dynamic::{Departure, Node};
 use jaka_spec::Spec;
 use jaka_sync::{ErrorKind, StatusStream};
 
@@ -24,7 +24,6 @@ pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &ProbePro
     };
     let mut found: Option<Finding> = None;
     let mut samples = Vec::new();
-    let forms = Forms::of(spec, None);
     for _ in (0..count).take_while(|_| !progress.is_interrupted()) {
         let packet = match next(&mut stream) {
             Ok(packet) => packet,
@@ -37,9 +36,7 @@ pub(super) fn take(spec: &Spec, target: &Target, count: u32, progress: &ProbePro
         let mut departures = found.as_ref().map(|found| found.departures.clone()).unwrap_or_default();
         let before = departures.len();
         let sample = reply_json(&packet);
-        let own = forms.as_ref().and_then(|forms| forms.own_text(Message::Status, &packet).ok());
-        let own = own.map(|text| reply_json(&text));
-        add_new(&mut departures, Node::status(spec, own.unwrap_or_else(|| sample.clone())).departures());
+        add_new(&mut departures, Node::status(spec, sample.clone()).departures());
         samples.push(sample);
         // Shows a packet that departs.
         if found.is_none() || departures.len() > before {

@@ -177,12 +177,7 @@ impl Reader<'_> {
         self.field_with(name, slot, |reader| reader.word(off, on))
     }
 
-    /// Reads a field's value with `decode`.
-    ///
-    /// # Errors
-    /// As [`field`](Self::field).
-    #[doc(hidden)]
-    pub fn field_with<T>(
+    pub(in crate::wire) fn field_with<T>(
         &mut self,
         name: &'static str,
         slot: &mut Option<T>,

@@ -66,14 +66,6 @@ impl<'s> Differ<'s> {
         }
     }
 
-    /// Notes that the forms by firmware changed, in words.
-    pub(super) fn forms(&mut self, place: &str, old: &[String], new: &[String], impact: Impact) {
-        if old != new {
-            let now = if new.is_empty() { "none".to_owned() } else { new.join("; ") };
-            self.note(place, format!("other forms by firmware: {now}"), impact);
-        }
-    }
-
     /// Notes that something is so in one spec alone: the words and the impact of its coming, and of its going.
     pub(super) fn flag(&mut self, place: &str, (old, new): (bool, bool), comes: (&str, Impact), goes: (&str, Impact)) {
         match (old, new) {

@@ -144,23 +144,9 @@ fn compare(d: &mut Differ<'_>, place: &str, holder: &Holder, old: &Field, new: &
     d.flag(place, (old.constructors, new.constructors), constructors, none);
     d.flag(place, (old.or_raw, new.or_raw), or_raw, ("can no longer have another shape", Impact::Major));
     d.reworded(place, "doc", &old.doc, &new.doc);
-    forms(d, place, holder.checks, old, new);
     d.reworded(place, "disputed readings", &old.disputed, &new.disputed);
     d.reworded(place, "evidence", &old.evidence, &new.evidence);
     d.versions(place, &old.versions, &new.versions);
-}
-
-/// Compares the forms by firmware. A command that needs the firmware is refused as long as that is not known.
-fn forms(d: &mut Differ<'_>, place: &str, checks: Checks, old: &Field, new: &Field) {
-    let words = |spec: &Spec, field: &Field| -> Vec<String> {
-        field.forms.iter().map(|form| words::form(spec, field, form)).collect()
-    };
-    let needs_firmware = |field: &Field| match checks {
-        Checks::Sent => !field.forms.is_empty(),
-        Checks::Received => field.has_forms_alike(),
-    };
-    let impact = if needs_firmware(new) && !needs_firmware(old) { Impact::Major } else { Impact::Minor };
-    d.forms(place, &words(d.old, old), &words(d.new, new), impact);
 }
 
 /// Compares the types of a field or a wrapper.

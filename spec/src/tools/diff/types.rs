@@ -5,7 +5,7 @@ use std::fmt::Display;
 use super::Impact;
 use super::collect::{Differ, pairs};
 use super::field::{Checks, Holder, field_type, fields, unit};
-use crate::{EnumValue, Role, Spec, Type, TypeDef, TypeKind, Variant, words};
+use crate::{EnumValue, Role, Spec, Type, TypeDef, TypeKind, Variant};
 
 /// Compares one type of both specs.
 pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &TypeDef, new: &TypeDef) {
@@ -31,20 +31,8 @@ pub(super) fn compare(d: &mut Differ<'_>, place: &str, old: &TypeDef, new: &Type
         }
         (was, is) => return d.value(place, "kind", &kind(was), &kind(is), Impact::Major),
     }
-    forms(d, place, checks, old, new);
     let is_copy = |spec: &Spec| spec.type_id(&new.name).is_some_and(|id| spec.is_copy(&Type::Named(id)));
     d.copies(place, (is_copy(d.old), is_copy(d.new)));
-}
-
-/// Compares the forms by firmware. A command that needs the firmware is refused as long as that is not known.
-fn forms(d: &mut Differ<'_>, place: &str, checks: Checks, old: &TypeDef, new: &TypeDef) {
-    let words = |def: &TypeDef| -> Vec<String> { def.forms.iter().map(words::type_form).collect() };
-    let needs_firmware = |def: &TypeDef| match checks {
-        Checks::Sent => !def.forms.is_empty(),
-        Checks::Received => def.has_forms_alike(),
-    };
-    let impact = if needs_firmware(new) && !needs_firmware(old) { Impact::Major } else { Impact::Minor };
-    d.forms(place, &words(old), &words(new), impact);
 }
 
 fn kind(kind: &TypeKind) -> &'static str {

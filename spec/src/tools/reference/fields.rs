@@ -27,7 +27,6 @@ pub(super) fn render(out: &mut String, spec: &Spec, fields: &[Field], first: usi
     table.render(out);
     longer_docs(out, fields.iter().map(|field| (label(field), field.doc.as_str())));
     for field in fields {
-        forms(out, spec, field);
         disputed(out, field);
     }
 }
@@ -80,21 +79,8 @@ fn meaning(field: &Field) -> String {
     let versions =
         words::versions(&field.versions).map(|versions| format!(" Firmware {versions}.")).unwrap_or_default();
     let disputed = if field.disputed.is_empty() { "" } else { " Disputed: see below." };
-    let forms = if field.forms.is_empty() { "" } else { " Other firmware has another form: see below." };
     let evidence = evidence_sentence(&field.evidence).map(|evidence| format!(" {evidence}")).unwrap_or_default();
-    format!("{first}{versions}{forms}{disputed}{evidence}")
-}
-
-/// Forms by firmware, as a list.
-fn forms(out: &mut String, spec: &Spec, field: &Field) {
-    if field.forms.is_empty() {
-        return;
-    }
-    let _ = writeln!(out, "Other forms of `{}`:\n", label(field));
-    for form in &field.forms {
-        let _ = writeln!(out, "- {}", words::form(spec, field, form));
-    }
-    *out += "\n";
+    format!("{first}{versions}{disputed}{evidence}")
 }
 
 fn disputed(out: &mut String, field: &Field) {

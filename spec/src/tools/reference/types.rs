@@ -36,13 +36,6 @@ pub(super) fn render(out: &mut String, spec: &Spec, (id, def): (TypeId, &TypeDef
             let _ = writeln!(out, "On the wire: {}.\n", type_phrase::wrapped(spec, &Type::Named(id)));
         }
     }
-    if !def.forms.is_empty() {
-        *out += "Other forms:\n\n";
-        for form in &def.forms {
-            let _ = writeln!(out, "- {}", words::type_form(form));
-        }
-        *out += "\n";
-    }
 }
 
 fn enum_values<T: Display>(out: &mut String, values: &[EnumValue<T>]) {
