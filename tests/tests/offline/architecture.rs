@@ -349,6 +349,7 @@ const TEXTS_ELSEWHERE: &[&str] = &[
     "jaka-cli/src/failure.rs: Failure",
     "jaka-proto/src/worded.rs: $name",
     "jaka-proto-derive/src/enums.rs: #name",
+    "jaka-proto-derive/src/word_enums.rs: #name",
     "jaka-sim/src/command_port/request_reader.rs: Incoming",
     "jaka-sim/src/fault/kinds.rs: $Kinds",
     "jaka-sim/src/underrun.rs: Underrun",
