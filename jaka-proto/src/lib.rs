@@ -14,7 +14,6 @@ mod command;
 mod controller_event;
 mod envelope;
 pub mod exchange;
-mod external_torque;
 mod firmware;
 pub mod framing;
 pub mod geometry;
