@@ -425,7 +425,7 @@ pub mod status {
         pub running_time_since_start: f64,
         /// Torque of the joint from its measured current; 0 without power. In Nm.
         pub torque: f64,
-        /// Torque of the controller's model for the pose. In Nm. The measured torque minus it shows a contact: `RobotStatus::external_torques`.
+        /// Torque of the controller's model for the pose. In Nm. The measured torque minus it shows a contact.
         pub model_torque: Option<f64>,
     }
     /// Settings and state of the torque sensor.
