@@ -36,7 +36,8 @@ mod corpora;
 #[cfg(test)]
 mod golden;
 
-/// The messages of the built-in spec: a module for each topic, an enum over all requests, and the enums of their meaning.
+/// The messages of the built-in spec: a module for each topic, an enum over all requests, and the enums of their
+/// meaning.
 ///
 /// For use in `jaka-proto`: the output names its paths.
 #[proc_macro]
