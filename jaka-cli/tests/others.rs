@@ -120,7 +120,7 @@ fn the_help_of_sim_lists_the_faults() {
 #[test]
 fn what_the_simulated_controller_does_not_know_is_named() {
     expect![[r#"
-        error: `--firmware <NAME>` cannot be `9`: there are 1.5.14, newer, document, odd
+        error: `--firmware <NAME>` cannot be `9`: there are 1.5.14, newer, document
         hint: `jaka sim --help` lists commands and options
         exit code Some(2)"#]]
     .assert_eq(&failure(&mut jaka(&["sim", "--firmware", "9"])));

@@ -12,7 +12,7 @@ use quote::quote;
 
 use crate::call::Call;
 use crate::scope::{ModulePaths, Scope};
-use crate::{client, compile_errors, error_codes, pack, topic};
+use crate::{client, compile_errors, error_codes, pack, topic, word_enums};
 use interface::{interface, interface_without};
 
 fn pretty(tokens: TokenStream) -> String {
@@ -33,6 +33,7 @@ fn the_interface_of_all_messages() {
     }
     expect_file!["../golden/request.rs"].assert_eq(&interface(topic::requests(&spec)));
     expect_file!["../golden/error_codes.rs"].assert_eq(&interface(error_codes::render(&spec)));
+    expect_file!["../golden/word_enums.rs"].assert_eq(&interface(word_enums::render()));
     expect_file!["../golden/client.rs"].assert_eq(&interface(client::methods(&spec)));
 }
 

@@ -27,18 +27,23 @@ mod status_subset;
 mod topic;
 mod typedef;
 mod validate;
+mod word_enums;
 
 #[cfg(test)]
 mod corpora;
 #[cfg(test)]
 mod golden;
 
-/// The messages of the built-in spec: a module for each topic, and an enum over all requests.
+/// The messages of the built-in spec: a module for each topic, an enum over all requests, and the enums of their
+/// meaning.
 ///
 /// For use in `jaka-proto`: the output names its paths.
 #[proc_macro]
 pub fn messages(input: TokenStream) -> TokenStream {
-    expand(input, topic::messages)
+    expand(input, |spec| {
+        let (messages, enums) = (topic::messages(spec), word_enums::render());
+        quote!(#messages #enums)
+    })
 }
 
 /// An `impl Client` for each topic of the built-in spec, with a method for each command, and the topic's module, in

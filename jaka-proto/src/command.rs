@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use crate::check::{FieldLimits, NotSent, Place, Rules, Validate};
 use crate::firmware::FirmwareRange;
+use crate::messages::{Change, Effect, Requirement, Role};
 use crate::wire::{Fields, Writer};
 
 /// A request, with the type of its reply.
@@ -128,48 +129,6 @@ impl CommandInfo {
     }
 }
 
-/// Effect of a command on the robot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Effect {
-    /// Reads; changes nothing.
-    Query,
-    /// Changes a setting or an output.
-    Setting,
-    /// Starts, stops or continues a motion or a program.
-    Motion,
-    /// Switches power, brakes or the controller itself.
-    Power,
-    /// Concerns the connection alone.
-    Session,
-}
-
-/// Role of a request for the arm, which decides the times at which it may be sent.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Role {
-    /// Stops the arm. Stop handles, guards and sessions send the built-in `stop_program` alone.
-    Stop,
-    /// Stops the jog of one axis.
-    StopAxis,
-    /// Starts a motion or a program, or moves the arm otherwise.
-    Start,
-    /// Pauses a motion or a program.
-    Pause,
-    /// Resumes a paused motion.
-    Resume,
-    /// Set-point of servo mode.
-    SetPoint,
-    /// Enters servo mode.
-    ServoMode,
-    /// Leaves servo mode.
-    LeaveServoMode,
-    /// Sets an output. Passes while a session, a stream or a trajectory moves the arm.
-    Output,
-    /// Short query for a state of the robot. Passes likewise.
-    State,
-}
-
 impl Role {
     /// True for a request that another handle of the connection may send while a session, a stream or a trajectory
     /// moves the arm: a stop, the end of servo mode, an output, a short query. Power and enabling are kept back: at
@@ -191,18 +150,6 @@ impl Role {
     }
 }
 
-/// Property of the arm that a command changes, and on which other commands depend.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Change {
-    /// Frames to which poses refer: the user frame, or the mounting of the arm.
-    Frames,
-    /// Tool frame, whose origin is the tool centre point.
-    Tool,
-    /// Payload.
-    Payload,
-}
-
 impl Change {
     /// True if poses mean something else afterwards.
     pub fn concerns_poses(self) -> bool {
@@ -211,18 +158,4 @@ impl Change {
             Self::Payload => false,
         }
     }
-}
-
-/// A state that a command needs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Requirement {
-    /// The arm has power.
-    Powered,
-    /// The arm is enabled.
-    Enabled,
-    /// Servo mode is on.
-    ServoMode,
-    /// Servo mode is off.
-    NotServoMode,
 }

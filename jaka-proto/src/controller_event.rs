@@ -5,7 +5,7 @@ use std::num::NonZeroU32;
 
 use crate::messages::power::GetRobotStateReply;
 use crate::messages::status::RobotStatus;
-use crate::messages::{EVENT_EXPLANATIONS, EVENT_RANGES};
+use crate::messages::{EVENT_EXPLANATIONS, EVENT_RANGES, Severity};
 use crate::wire::{Decode as _, Reader, Value};
 
 /// An event of the controller, identified by its code in `errcode`: an error, a warning or information.
@@ -25,27 +25,6 @@ use crate::wire::{Decode as _, Reader, Value};
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ControllerEvent(NonZeroU32);
-
-crate::worded! {
-    /// Severity of a controller's event.
-    ///
-    /// The severity is the vendor's and does not say whether the arm moves: an emergency stop is information. The
-    /// other fields of the status packet say whether the arm is stopped. For a program that waits for the end of a
-    /// motion the rule is: an error ends the wait; a warning and information are reported and end nothing; an unknown
-    /// event ends the wait only together with an arm at rest or a stop that the status packet shows.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-    #[non_exhaustive]
-    pub enum Severity {
-        /// Something failed.
-        Error => "error",
-        /// Something may fail, or was not done.
-        Warning => "warning",
-        /// Something happened.
-        Information => "information",
-        /// The table does not have the event's code, as with newer firmware. It may be an error.
-        Unknown => "unknown",
-    }
-}
 
 /// Severity, meaning, cause and remedy of an event.
 pub(crate) type Explanation = (Severity, Option<&'static str>, Option<EventNote>, Option<EventNote>);

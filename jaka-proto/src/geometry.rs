@@ -48,15 +48,12 @@
 //!
 //! let pose = Pose::from_millimetres_degrees([300.0, 0.0, 200.0], [180.0, 0.0, 45.0]);
 //! let position = mint::Point3::from(pose); // mm; or a `mint::Vector3`
-//! let orientation = mint::Quaternion::from(pose); // or a `mint::ColumnMatrix3`, or `mint::EulerAngles`
+//! let orientation = mint::Quaternion::from(pose);
 //! let back = Pose::try_from((position, orientation))?;
 //! assert!(back.distance_mm(&pose) == 0.0 && back.angle_deg(&pose) < 1e-9);
 //! # }
 //! # Ok::<(), jaka_proto::geometry::NotARotation>(())
 //! ```
-//!
-//! Angles are exchanged as `mint::IntraZYX`, which mint turns into `ExtraXYZ`. Prefer quaternions: nalgebra takes
-//! angles only as `IntraXYZ`, and reads those as `ExtraXYZ`.
 //!
 //! # Numbers that are not finite
 //! Nothing here panics. NaN and infinity in a position or pose give NaN or infinity, and such a pose is refused before

@@ -14,7 +14,6 @@ mod command;
 mod controller_event;
 mod envelope;
 pub mod exchange;
-mod external_torque;
 mod firmware;
 pub mod framing;
 pub mod geometry;
@@ -28,16 +27,17 @@ pub mod text;
 pub mod wire;
 mod worded;
 
-/// The messages, generated from the spec: a module for each topic, and an enum over all requests.
+/// The messages, generated from the spec: a module for each topic, an enum over all requests, and the enums of
+/// their meaning.
 pub mod messages {
     jaka_proto_derive::messages!();
 }
 
-pub use command::{Change, Command, CommandInfo, Effect, Requirement, Role, Visit};
-pub use controller_event::{ControllerEvent, EventNote, Severity, UnreadableEvent};
+pub use command::{Command, CommandInfo, Visit};
+pub use controller_event::{ControllerEvent, EventNote, UnreadableEvent};
 pub use envelope::Envelope;
 pub use firmware::{FirmwareRange, FirmwareVersion, InvalidFirmwareVersion, NotInFirmware};
-pub use messages::Request;
+pub use messages::{Change, Effect, Request, Requirement, Role, Severity};
 pub use motion::{Motion, Path, Target};
 pub use refusal::{ErrorCode, Refusal};
 pub use reply::{Reply, read_envelope, read_payload, read_reply, write_refusal, write_reply};

@@ -1,8 +1,8 @@
 //! Requests from their JSON.
 
 use crate::check::{NotSent, Rules};
-use crate::command::{Command, CommandInfo, Role, Visit};
-use crate::messages::Request;
+use crate::command::{Command, CommandInfo, Visit};
+use crate::messages::{Request, Role};
 use crate::wire::{DecodeError, Reader, Writer};
 
 impl Request {

@@ -6,7 +6,6 @@ mod construct;
 mod envelope;
 mod events;
 mod exchange;
-mod external_torque;
 mod firmware;
 mod in_place;
 mod lenient;

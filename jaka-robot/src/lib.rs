@@ -52,7 +52,6 @@ pub use follow::{FollowConfig, FollowHandle, FollowProgress, FollowRun};
 pub use guard::{ForceComponent, ForceLimit, Guard, TcpBox};
 pub use inputs::{AnalogCondition, AnalogInput, Input, InputCondition, Numbering};
 pub use jaka_proto::{Motion, Path, Target};
-pub use limits::LimitPolicy;
 pub use motions::{MotionExt, Run};
 pub use power_steps::PowerStep;
 pub use report::{FollowLag, Report, TrajectoryReport};

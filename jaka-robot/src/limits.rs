@@ -15,18 +15,7 @@ use jaka_sync::layer::ClientParts as _;
 pub(crate) use self::motion::Beginning;
 pub(crate) use self::waived::Waived;
 use crate::arm::Arm;
-use crate::{Error, ErrorKind, Explanation, Unchecked};
-
-/// Rule for a motion or a set-point that is beyond a limit, or that cannot be checked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum LimitPolicy {
-    /// It is not sent, and the call fails.
-    #[default]
-    Refuse,
-    /// It is sent, and a warning is logged: see [`Robot::limit_warning`](crate::Robot::limit_warning).
-    Warn,
-}
+use crate::{Error, ErrorKind, Unchecked};
 
 /// The limits of a robot, if it has any, and the facts for checking them.
 #[derive(Debug, Default)]
@@ -35,8 +24,6 @@ pub(crate) struct LimitChecks(Option<Box<Limited>>);
 #[derive(Debug)]
 struct Limited {
     checker: Checker,
-    policy: LimitPolicy,
-    warning: Option<Error>,
     /// End of the last motion that was accepted, by its check.
     planned: Option<JointPosition>,
     /// Number of stops that had gone out by then, and of commands of other handles that may have changed something:
@@ -55,28 +42,18 @@ const AGREES: Tolerance = Tolerance { position_mm: 1.0, angle_deg: 0.1 };
 
 impl LimitChecks {
     /// Checks against these limits, with the tool and the frames that the controller is found to have.
-    pub(crate) fn new(arm: &mut Arm, limits: Limits, policy: LimitPolicy) -> Result<Self, Error> {
+    pub(crate) fn new(arm: &mut Arm, limits: Limits) -> Result<Self, Error> {
         let (frames, frame_changes) = fitted_frames(arm, limits.model(), None)?;
         let checker = Checker::new(limits, frames);
-        let (warning, planned, stops, changes_by_others, is_unsettled) = (None, None, 0, 0, false);
-        Ok(Self(Some(Box::new(Limited {
-            checker,
-            policy,
-            warning,
-            planned,
-            stops,
-            changes_by_others,
-            is_unsettled,
-            frame_changes,
-        }))))
+        let (planned, stops, changes_by_others, is_unsettled) = (None, 0, 0, false);
+        Ok(Self(Some(Box::new(Limited { checker, planned, stops, changes_by_others, is_unsettled, frame_changes }))))
     }
 
     /// Returns checks of the same limits for another thread.
     pub(crate) fn lent(&self) -> Self {
         let lent = |limited: &Limited| {
             let checker = limited.checker.clone();
-            let (planned, warning) = (None, None);
-            Box::new(Limited { checker, warning, planned, ..*limited })
+            Box::new(Limited { checker, planned: None, ..*limited })
         };
         Self(self.0.as_deref().map(lent))
     }
@@ -100,12 +77,6 @@ impl LimitChecks {
         self.0.as_ref().map(|limited| &limited.checker)
     }
 
-    /// Reason against the last motion, or against the first such set-point of the last session, if it was sent all the
-    /// same.
-    pub(crate) fn warning(&self) -> Option<String> {
-        self.0.as_ref().and_then(|limited| limited.warning.as_ref()).map(warning)
-    }
-
     /// The last motion that was accepted ends there.
     pub(crate) fn plan(&mut self, arm: &Arm, end: Option<JointPosition>) {
         if let Some(limited) = &mut self.0 {
@@ -123,17 +94,10 @@ impl LimitChecks {
         timeout: Duration,
     ) -> Result<(), Error> {
         let Some(limited) = &mut self.0 else { return Ok(()) };
-        limited.warning = None;
-        let framed = match pose {
+        match pose {
             Some(pose) => limited.follow_frames(arm, (start, pose), command, timeout),
             None => Err(not_checked(arm, command, Unchecked::Start)),
-        };
-        framed.or_else(|error| limited.judged(error))
-    }
-
-    /// True if the robot has limits, and sends nothing that is beyond them.
-    pub(crate) fn refuses_beyond_limits(&self) -> bool {
-        self.0.as_ref().is_some_and(|limited| limited.policy == LimitPolicy::Refuse)
+        }
     }
 
     /// True if a limit is for the tool centre point, or seen from the user frame.
@@ -148,66 +112,36 @@ impl LimitChecks {
 
     /// Checks a set-point of the joints, after the last two.
     pub(crate) fn check_joints(
-        &mut self,
+        &self,
         arm: &Arm,
         before: Option<[JointPosition; 2]>,
         target: Option<JointPosition>,
         period: Duration,
     ) -> Result<Option<JointPosition>, Error> {
         let Some(checker) = self.checker() else { return Ok(target) };
-        let error = match (before, target) {
-            (Some(before), Some(joints)) => match checker.check_set_point(before, joints, period.as_secs_f64()) {
-                Ok(()) => return Ok(target),
-                Err(beyond) => beyond_limit(arm, ServoJ::INFO.name, beyond),
-            },
-            _ => not_checked(arm, ServoJ::INFO.name, Unchecked::Start),
+        let (Some(before), Some(joints)) = (before, target) else {
+            return Err(not_checked(arm, ServoJ::INFO.name, Unchecked::Start));
         };
-        self.judged(error).map(|()| target)
+        let checked = checker.check_set_point(before, joints, period.as_secs_f64());
+        checked.map(|()| target).map_err(|beyond| beyond_limit(arm, ServoJ::INFO.name, beyond))
     }
 
     /// Checks a set-point of the tool centre point, and returns its joint positions if they are known.
     pub(crate) fn check_pose(
-        &mut self,
+        &self,
         arm: &Arm,
         before: Option<[JointPosition; 2]>,
         target: Option<Pose>,
         period: Duration,
     ) -> Result<Option<JointPosition>, Error> {
         let Some(checker) = self.checker() else { return Ok(None) };
-        let (error, joints) = match (before, target) {
-            (Some(before), Some(pose)) => match checker.check_pose_set_point(before, pose, period.as_secs_f64()) {
-                Ok(joints) => return Ok(Some(joints)),
-                Err(beyond) => {
-                    let flange = checker.frames().flange(pose);
-                    let joints = checker.limits().model().inverse(flange, before[1]).ok();
-                    (beyond_limit(arm, ServoP::INFO.name, beyond), joints)
-                }
-            },
-            (None, _) => (not_checked(arm, ServoP::INFO.name, Unchecked::Start), None),
-            (_, None) => (not_checked(arm, ServoP::INFO.name, Unchecked::Target), None),
-        };
-        self.judged(error).map(|()| joints)
-    }
-
-    /// Explains a refusal that has no explanation, if the motion was sent although it is beyond a limit: by that limit.
-    pub(crate) fn explained(&self, mut error: Error) -> Error {
-        if let ErrorKind::Refused { explanation, .. } = error.kind_mut() {
-            *explanation = explanation.take().or_else(|| self.explanation());
-        }
-        error
-    }
-
-    fn explanation(&self) -> Option<Explanation> {
-        match self.0.as_ref()?.warning.as_ref()?.kind() {
-            ErrorKind::BeyondLimit { beyond, .. } => Some(Explanation::BeyondLimit(Box::new(beyond.clone()))),
-            _ => None,
-        }
-    }
-
-    fn judged(&mut self, error: Error) -> Result<(), Error> {
-        match &mut self.0 {
-            Some(limited) => limited.judged(error),
-            None => Err(error),
+        match (before, target) {
+            (Some(before), Some(pose)) => {
+                let checked = checker.check_pose_set_point(before, pose, period.as_secs_f64());
+                checked.map(Some).map_err(|beyond| beyond_limit(arm, ServoP::INFO.name, beyond))
+            }
+            (None, _) => Err(not_checked(arm, ServoP::INFO.name, Unchecked::Start)),
+            (_, None) => Err(not_checked(arm, ServoP::INFO.name, Unchecked::Target)),
         }
     }
 }
@@ -234,36 +168,10 @@ impl Limited {
         self.agrees(joints, pose) && self.frame_changes == arm.link().frame_changes()
     }
 
-    /// Decides on a failed check: no error if the command is sent all the same.
-    fn judged(&mut self, error: Error) -> Result<(), Error> {
-        let is_limit = matches!(error.kind(), ErrorKind::BeyondLimit { .. } | ErrorKind::NotChecked { .. });
-        if !is_limit || self.policy != LimitPolicy::Warn {
-            return Err(error);
-        }
-        if self.warning.is_none() {
-            log::warn!(target: "jaka_robot", "{}", warning(&error));
-            self.warning = Some(error);
-        }
-        Ok(())
-    }
-
     /// True if the controller's pose is the model's, in the frames that are known.
     fn agrees(&self, joints: JointPosition, pose: Pose) -> bool {
         let ours = self.checker.frames().pose(self.checker.limits().model().forward(joints));
         ours.distance_mm(&pose) <= AGREES.position_mm && ours.angle_deg(&pose) <= AGREES.angle_deg
-    }
-}
-
-/// Text of a warning: the command that was sent all the same, and the reason against it.
-fn warning(error: &Error) -> String {
-    match error.kind() {
-        ErrorKind::BeyondLimit { command, beyond } => {
-            format!("`{command}` was sent although it is beyond a limit: {beyond}")
-        }
-        ErrorKind::NotChecked { command, reason } => {
-            format!("`{command}` was sent without a check against limits: {reason}")
-        }
-        _ => error.to_string(),
     }
 }
 

@@ -127,8 +127,7 @@ impl Moving<'_> {
                     self.planned.accepted(self.arm, Destination::Unknown, begin);
                     self.limits.forget_plan();
                 }
-                let explained = self.arm.explained(error, left());
-                return Err(self.limits.explained(explained));
+                return Err(self.arm.explained(error, left()));
             }
         }
         Ok(())

@@ -57,16 +57,6 @@ impl Preflight {
         Self::read_as::<RobotStatus>(config, commands_address, status_address, None)
     }
 
-    /// Reads as [`read_at`](Self::read_at), for an arm that should be the model of these limits, and within them.
-    pub fn read_with_limits(
-        config: &Config,
-        commands_address: impl Display,
-        status_address: impl Display,
-        limits: &Limits,
-    ) -> Self {
-        Self::read_as::<RobotStatus>(config, commands_address, status_address, Some(limits))
-    }
-
     /// Reads an arm by another type of status packets, such as a [pack](crate::pack!)'s:
     /// `Preflight::read_as::<newer::RobotStatus>(…)`.
     pub fn read_as<S: MotionStatus>(

@@ -197,7 +197,7 @@ impl<S: MotionStatus> Robot<S> {
             config.waived.check(&mut self.arm, limits.preset())?;
         }
         self.limits = match &config.limits {
-            Some(limits) => LimitChecks::new(&mut self.arm, limits.clone(), config.policy)?,
+            Some(limits) => LimitChecks::new(&mut self.arm, limits.clone())?,
             None => LimitChecks::default(),
         };
         (self.planned.grace, self.planned.silence) = (config.grace, config.silence);
@@ -383,12 +383,6 @@ impl<S: MotionStatus> Robot<S> {
         self.limits.checker()
     }
 
-    /// Reason against the last motion, or against the first such set-point of the last session, if it was sent all the
-    /// same ([`LimitPolicy::Warn`](crate::LimitPolicy::Warn)).
-    pub fn limit_warning(&self) -> Option<String> {
-        self.limits.warning()
-    }
-
     /// Waits for a level or an edge of a digital input, and returns the packet that shows it.
     ///
     /// Sends nothing: status packets show the input. A level counts at once if the newest packet has it. An edge lies
@@ -489,7 +483,7 @@ impl<S: MotionStatus> Robot<S> {
     /// Begins to follow a trajectory.
     ///
     /// The robot compares all of it with its limits before the first set-point, with the present tool and frames of the
-    /// controller, independent of earlier comparisons; also if the limits' policy is only to warn.
+    /// controller, independent of earlier comparisons.
     ///
     /// # Errors
     /// Nothing moves the arm after an error. The errors of [`ServoSession`](crate::ServoSession), at "Entering";

@@ -1,7 +1,5 @@
 //! Running controller.
 
-mod program_thread;
-
 use std::fmt;
 use std::io::{self, ErrorKind};
 use std::net::SocketAddr;
@@ -12,7 +10,6 @@ use std::time::Duration;
 use jaka_clock::SimulatedClock;
 use serde_json::Value;
 
-use self::program_thread::ProgramThread;
 use crate::link_selector::LinkSelector;
 use crate::listener::Listener;
 use crate::replay::ReplaySession;
@@ -330,56 +327,6 @@ impl Controller {
     /// Returns the links of both ports, in both directions.
     pub fn links(&self) -> Link<'_> {
         Link { controller: self, selector: LinkSelector::default() }
-    }
-
-    /// Runs a program in its own thread while this thread does something with the controller. Returns the program's
-    /// result after both have ended.
-    ///
-    /// The program may take `limit` after this thread is ready, in real time with any clock. The controller does not
-    /// wait longer for it. With a [simulated clock](crate::Builder::clock) both begin at the same time.
-    ///
-    /// ```
-    /// use std::io::{Read, Write};
-    /// use std::net::TcpStream;
-    /// use std::time::Duration;
-    ///
-    /// use jaka_sim::{Controller, Fault};
-    ///
-    /// let controller = Controller::start()?;
-    /// controller.inject(Fault::Hold);
-    /// let limit = Duration::from_secs(60);
-    /// let mut client = TcpStream::connect(controller.command_addr())?;
-    /// let program = move || {
-    ///     client.write_all(br#"{"cmdName": "get_version"}"#)?;
-    ///     client.read(&mut [0; 200])
-    /// };
-    /// let read = controller.run_while(limit, program, |controller| {
-    ///     assert!(controller.wait_for_requests(1, limit));
-    ///     controller.release();
-    /// });
-    /// assert!(read?? > 0);
-    /// # Ok::<(), std::io::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`ErrorKind::TimedOut`] if the program takes longer; or a thread cannot start.
-    ///
-    /// # Panics
-    /// If the program panics: with the same payload.
-    pub fn run_while<T: Send + 'static>(
-        &self,
-        limit: Duration,
-        program: impl FnOnce() -> T + Send + 'static,
-        meanwhile: impl FnOnce(&Self),
-    ) -> io::Result<T> {
-        let time = self.shared.time();
-        // This thread joins the simulated time before the thread of the program does.
-        let run = time.participating(|| {
-            let thread = ProgramThread::spawn(time, program)?;
-            meanwhile(self);
-            time.outside(|| thread.join(limit))
-        });
-        run()
     }
 
     /// Runs an action once, in its own thread, when the state first meets the condition, which may be now.

@@ -47,28 +47,27 @@ firmwares! {
     /// [`Builder::status_period`](crate::Builder::status_period) and [`Builder::habits`](crate::Builder::habits) take
     /// precedence over it.
     ///
-    /// | | `V1_5_14` | `Newer` | `Document` | `Odd` |
-    /// |---|---|---|---|---|
-    /// | `get_version` | `1.5.14_13_X64` | `1.7.2` | `1.6.5_01_X86` | `1.7.2` |
-    /// | digital inputs, digital outputs | 135 | 199 | 144 | 136 |
-    /// | analog inputs, analog outputs | 64 | 128 | 66 | 66 |
-    /// | analog inputs of the tool | 2 | 2 | 1 | 1 |
-    /// | functions with an input | 15 | 15 | 15 | 12 |
-    /// | values for each joint in the monitor data | 11 | 11 | 10 | 10 |
-    /// | elements of the monitor data, readings of the torque sensor | 6, 2 | 10, 3 | 6, 2 | 6, 2 |
-    /// | extension I/O modules in packets | no | yes | yes | no |
-    /// | numbers that may have a fraction | `3.0` | `3.0` | `3` | `"3"` |
-    /// | whole numbers | `3` | `3` | `3` | `3.0` |
-    /// | decimals of joint positions in packets, of positions in replies | 5, 6 | 5, 6 | any | any |
-    /// | decimals of poses in packets | 5 | 13 | any | any |
-    /// | `task_state` of a disabled arm with power | 3 | 3 | 2 | 3 |
-    /// | initial functions with an input | none | none | as in the document's sample | as in the document's sample |
-    /// | blanks after commas and colons | yes | yes | no | yes |
-    /// | event in `get_robot_state` | no | a number | no | a text |
-    /// | states in `get_robot_state` | document's words | `"True"`, `"False"` | document's words | one of five forms |
-    /// | period of packets | 30 ms | 50 ms | 50 ms | 100 ms |
-    /// | initial packet | 3.1 KB | 8.8 KB | 2.0 KB | 9.2 KB |
-    /// | habits | `late-power`, `servo-at-rest`, `disable-moving`, `events` | `servo-at-rest`, `events` | none | all |
+    /// | | `V1_5_14` | `Newer` | `Document` |
+    /// |---|---|---|---|
+    /// | `get_version` | `1.5.14_13_X64` | `1.7.2` | `1.6.5_01_X86` |
+    /// | digital inputs, digital outputs | 135 | 199 | 144 |
+    /// | analog inputs, analog outputs | 64 | 128 | 66 |
+    /// | analog inputs of the tool | 2 | 2 | 1 |
+    /// | values for each joint in the monitor data | 11 | 11 | 10 |
+    /// | elements of the monitor data, readings of the torque sensor | 6, 2 | 10, 3 | 6, 2 |
+    /// | extension I/O modules in packets | no | yes | yes |
+    /// | numbers that may have a fraction | `3.0` | `3.0` | `3` |
+    /// | whole numbers | `3` | `3` | `3` |
+    /// | decimals of joint positions in packets, of positions in replies | 5, 6 | 5, 6 | any |
+    /// | decimals of poses in packets | 5 | 13 | any |
+    /// | `task_state` of a disabled arm with power | 3 | 3 | 2 |
+    /// | initial functions with an input | none | none | as in the document's sample |
+    /// | blanks after commas and colons | yes | yes | no |
+    /// | event in `get_robot_state` | no | a number | no |
+    /// | states in `get_robot_state` | document's words | `"True"`, `"False"` | document's words |
+    /// | period of packets | 30 ms | 50 ms | 50 ms |
+    /// | initial packet | 3.1 KB | 8.8 KB | 2.0 KB |
+    /// | habits | `late-power`, `servo-at-rest`, `disable-moving`, `events` | `servo-at-rest`, `events` | none |
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
     pub enum Firmware;
@@ -87,7 +86,6 @@ firmwares! {
         analog: 64,
         tool_digital: 8,
         tool_analog: &[474.0, 474.0],
-        functions: 15,
         no_function_input: true,
         disabled: TaskState::Disabled,
         pose_decimals: 5,
@@ -114,7 +112,6 @@ firmwares! {
         analog: 128,
         tool_digital: 8,
         tool_analog: &[466.0, 469.0],
-        functions: 15,
         no_function_input: true,
         disabled: TaskState::Disabled,
         pose_decimals: 13,
@@ -138,45 +135,8 @@ firmwares! {
         analog: 66,
         tool_digital: 8,
         tool_analog: &[0.0],
-        functions: 15,
         no_function_input: false,
         disabled: TaskState::PoweredOn,
-        pose_decimals: 5,
-        monitor_head: "0,0,0,0,0",
-        joint_row: "0,0,0,0,0,0,0,0,0,0",
-        monitor_tail: "",
-        torque_readings: 2,
-        extio_module_id: None,
-    };
-
-    /// Forms other than the document's, each seen or reported on some controller, all at once. No known controller
-    /// writes all of them.
-    ///
-    /// Error codes are `0` and `"0x2"`, truth values have one of five forms each, keys of replies are in reverse order,
-    /// a successful reply has no message, names have blanks around them, and replies and packets have an unknown key.
-    Odd => Shape {
-        name: "odd",
-        version: "1.7.2",
-        status_period: Duration::from_millis(100),
-        writing: Writing::Odd,
-        habits: &[
-            Habit::Pause(Duration::from_millis(100)),
-            Habit::Lead(Duration::from_millis(16)),
-            Habit::LateQueries(None),
-            Habit::LatePower,
-            Habit::Blend,
-            Habit::ServoAtRest,
-            Habit::Events,
-        ],
-        extio: false,
-        newer_keys: true,
-        digital: 136,
-        analog: 66,
-        tool_digital: 8,
-        tool_analog: &[474.0],
-        functions: 12,
-        no_function_input: false,
-        disabled: TaskState::Disabled,
         pose_decimals: 5,
         monitor_head: "0,0,0,0,0",
         joint_row: "0,0,0,0,0,0,0,0,0,0",
@@ -187,7 +147,7 @@ firmwares! {
 }
 
 impl Firmware {
-    /// Returns the name for input: `1.5.14`, `newer`, `document` or `odd`.
+    /// Returns the name for input: `1.5.14`, `newer` or `document`.
     pub fn name(self) -> &'static str {
         self.shape().name
     }

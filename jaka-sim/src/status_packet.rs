@@ -61,9 +61,6 @@ pub(crate) fn packet(
         }
         tail.push_str(&part.text);
     }
-    if let Some(unknown) = shape.writing.unknown_key() {
-        tail.push_str(&respace(&format!(",{unknown}"), separators));
-    }
     tail.push('}');
     with_length(&respace(&format!("{{{}:", json(&length.wire)), separators), &tail)
 }

@@ -1,4 +1,4 @@
-//! Every fault, as a client meets it.
+//! Faults of replies that concern several replies or connections. The fault matrix of the whole project has each alone.
 
 use std::io::{ErrorKind, Read};
 
@@ -26,36 +26,6 @@ fn with(faults: impl IntoIterator<Item = Fault>) -> (Controller, Peer) {
 }
 
 #[test]
-fn each_reply_takes_one_fault() {
-    let (_controller, mut peer) = with([Fault::None, Fault::Nameless, Fault::None]);
-    assert_accepted(&peer.call(PAYLOAD), PAYLOAD);
-    let nameless = peer.call(PAYLOAD);
-    assert_eq!((&nameless["cmdName"], &nameless["errorCode"]), (&json("null"), &"0".into()));
-    assert_accepted(&peer.call(PAYLOAD), PAYLOAD);
-    assert_accepted(&peer.call(PAYLOAD), PAYLOAD);
-}
-
-#[test]
-fn a_dropped_reply_never_comes() {
-    let (controller, mut peer) = with([Fault::Drop]);
-    peer.send(request("power_on"));
-    assert!(controller.wait_for_requests(1, LIMIT));
-    assert!(controller.state().powered);
-    peer.assert_quiet();
-}
-
-#[test]
-fn a_held_reply_comes_when_it_is_released() {
-    let (controller, mut peer) = with([Fault::Hold]);
-    peer.send(request("power_on"));
-    assert!(controller.wait_for_requests(1, LIMIT));
-    controller.release();
-    assert_accepted(&json(&peer.receive()), "power_on");
-    controller.release();
-    peer.assert_quiet();
-}
-
-#[test]
 fn held_replies_come_before_the_next_one() {
     let (_controller, mut peer) = with([Fault::Hold, Fault::Drop, Fault::Hold]);
     let commands = ["power_on", "enable_robot", "get_robot_state", "get_version"];
@@ -69,32 +39,6 @@ fn held_replies_come_before_the_next_one() {
 }
 
 #[test]
-fn pieces_make_up_the_reply() {
-    let reply = payload();
-    for sizes in [vec![1; 40], vec![10, 0, 20], vec![], vec![100_000], vec![reply.len(), 1]] {
-        let (_controller, mut peer) = with([Fault::Pieces(sizes)]);
-        peer.send(request(PAYLOAD));
-        assert_eq!(peer.receive(), reply);
-        peer.assert_quiet();
-    }
-}
-
-#[test]
-fn a_reply_waits_for_the_next_one() {
-    let (controller, mut peer) = with([Fault::WithNext, Fault::WithNext]);
-    for (count, command) in (1..).zip(["power_on", "enable_robot"]) {
-        peer.send(request(command));
-        assert!(controller.wait_for_requests(count, LIMIT));
-        controller.release();
-    }
-    assert!(!peer.has_something());
-    peer.send(request(PAYLOAD));
-    for command in ["power_on", "enable_robot", PAYLOAD] {
-        assert_accepted(&json(&peer.receive()), command);
-    }
-}
-
-#[test]
 fn replies_that_wait_go_with_whatever_is_next() {
     let (controller, mut peer) = with([Fault::WithNext, Fault::Hold, Fault::WithNext, Fault::Pieces(vec![1, 2])]);
     let commands = ["power_on", "enable_robot", "get_robot_state", "get_version"];
@@ -103,52 +47,6 @@ fn replies_that_wait_go_with_whatever_is_next() {
         assert_accepted(&json(&peer.receive()), command);
     }
     assert!(controller.wait_for_requests(4, LIMIT));
-}
-
-#[test]
-fn a_reply_may_come_twice() {
-    let (_controller, mut peer) = with([Fault::Twice]);
-    peer.send(request(PAYLOAD));
-    assert_eq!([peer.receive(), peer.receive()], [payload(), payload()]);
-    peer.assert_quiet();
-}
-
-#[test]
-fn a_reply_may_have_another_name() {
-    let (_controller, mut peer) = with([Fault::Renamed("fly \"away\"".to_owned())]);
-    let reply = peer.call(PAYLOAD);
-    assert_eq!((&reply["cmdName"], &reply["mass"]), (&"fly \"away\"".into(), &json("1")));
-}
-
-#[test]
-fn other_bytes_may_come_with_a_reply_or_for_it() {
-    let reply = payload();
-    let cases = [
-        (Fault::Before(b"\0\xff".to_vec()), [b"\0\xff", reply.as_bytes()].concat()),
-        (Fault::After(b"{}".to_vec()), [reply.as_bytes(), b"{}"].concat()),
-        (Fault::Instead(b"(0, [])".to_vec()), b"(0, [])".to_vec()),
-    ];
-    for (fault, bytes) in cases {
-        let (_controller, mut peer) = with([fault]);
-        peer.send(request(PAYLOAD));
-        assert_eq!(peer.receive_bytes(bytes.len()), bytes);
-        peer.assert_quiet();
-    }
-}
-
-#[test]
-fn a_connection_may_end_in_place_of_a_reply_or_in_it() {
-    let reply = payload();
-    for (fault, count) in [(Fault::Close, 0), (Fault::CloseAfter(0), 0), (Fault::CloseAfter(17), 17)] {
-        let (controller, mut peer) = with([Fault::None, fault]);
-        assert_accepted(&peer.call("power_on"), "power_on");
-        peer.send(request(PAYLOAD));
-        let mut rest = Vec::new();
-        peer.stream.read_to_end(&mut rest).expect("the end is not an error");
-        assert_eq!(rest, &reply.as_bytes()[..count]);
-        assert_eq!(controller.requests().len(), 2);
-        assert_accepted(&Peer::commands(&controller).call(PAYLOAD), PAYLOAD);
-    }
 }
 
 #[test]
@@ -202,15 +100,4 @@ fn garbage_is_random_and_the_same_each_time() {
     };
     assert_eq!(garbage(7), garbage(7));
     assert_ne!(garbage(7), garbage(8));
-}
-
-#[test]
-fn an_oversized_reply_is_the_same_json() {
-    let reply = payload();
-    for size in [0, reply.len(), reply.len() + 1, 300_000] {
-        let (_controller, mut peer) = with([Fault::Oversized(size)]);
-        peer.send(request(PAYLOAD));
-        let oversized = peer.receive();
-        assert_eq!((oversized.len(), json(&oversized)), (size.max(reply.len()), json(&reply)));
-    }
 }

@@ -34,104 +34,12 @@ fn is_quiet(peer: &Peer) -> bool {
     peeked.is_err_and(|error| matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut))
 }
 
-/// Has something pass on a port: a request and its reply, or a packet.
-fn pass(controller: &Controller, port: Port, peer: &mut Peer) {
-    match port {
-        Port::Command => peer.send(request("get_version")),
-        Port::Status => controller.publish(),
-    }
-}
-
 fn assert_passed(port: Port, peer: &mut Peer) {
     let message = json(&peer.receive());
     match port {
         Port::Command => assert_accepted(&message, "get_version"),
         Port::Status => assert!(message["len"].is_number(), "{message}"),
     }
-}
-
-/// Whether something waits, as the client of a port sees it, with a fault in this direction.
-fn holds_up(port: Port, direction: Direction) -> bool {
-    // Nothing goes from the readers of status packets to the controller.
-    port == Port::Command || direction == Direction::ToClient
-}
-
-#[test]
-fn each_fault_of_each_link_is_for_that_link() {
-    for fault in LinkFault::one_of_each() {
-        for port in Port::ALL {
-            for direction in Direction::ALL {
-                let (controller, commands, status) = connected();
-                let [mut peer, mut other] = match port {
-                    Port::Command => [commands, status],
-                    Port::Status => [status, commands],
-                };
-                let other_port = if port == Port::Command { Port::Status } else { Port::Command };
-                let began = Instant::now();
-                controller.link(port).direction(direction).set(fault);
-                pass(&controller, port, &mut peer);
-                pass(&controller, other_port, &mut other);
-                assert_passed(other_port, &mut other);
-                match fault {
-                    _ if !holds_up(port, direction) => assert_passed(port, &mut peer),
-                    LinkFault::Hold => {
-                        assert!(is_quiet(&peer), "{port} {direction} {fault}");
-                        controller.links().release();
-                        assert_passed(port, &mut peer);
-                    }
-                    LinkFault::Cut => {
-                        assert!(is_quiet(&peer), "{port} {direction} {fault}");
-                        controller.links().release();
-                        assert!(is_quiet(&peer), "{port} {direction} {fault}");
-                    }
-                    LinkFault::Delay(time) => {
-                        assert_passed(port, &mut peer);
-                        assert!(began.elapsed() >= time, "{port} {direction} {fault}");
-                    }
-                    _ => assert_passed(port, &mut peer),
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn what_was_held_arrives_as_it_was_sent() {
-    let (controller, mut commands, mut status) = connected();
-    controller.links().hold();
-    let mut sent = Vec::new();
-    for message in ["first", "second", "third"] {
-        controller.set_state(|state| message.clone_into(&mut state.error_message));
-        controller.publish();
-        sent.push(message);
-    }
-    commands.send(request("power_on"));
-    assert!(is_quiet(&status) && is_quiet(&commands));
-    // Neither carried out nor seen.
-    assert!(!controller.state().powered);
-    assert_eq!(controller.requests().len(), 1);
-    controller.links().release();
-    for message in sent {
-        assert_eq!(json(&status.receive())["errmsg"], *message);
-    }
-    assert_accepted(&json(&commands.receive()), "power_on");
-    assert!(controller.state().powered);
-}
-
-#[test]
-fn held_requests_are_carried_out_in_order() {
-    let (controller, mut commands, _status) = connected();
-    controller.link(Port::Command).to_controller().hold();
-    let names = ["power_on", "enable_robot", "disable_robot", "get_version"];
-    for name in names {
-        commands.send(request(name));
-    }
-    assert!(is_quiet(&commands));
-    controller.link(Port::Command).release();
-    for name in names {
-        assert_accepted(&json(&commands.receive()), name);
-    }
-    assert_eq!(controller.requests()[1..], names.map(request));
 }
 
 #[test]
@@ -167,36 +75,6 @@ fn a_late_reply_comes_although_requests_are_held() {
 }
 
 #[test]
-fn a_delay_lets_as_much_pass() {
-    for direction in Direction::ALL {
-        let (clock, controller) = simulated();
-        let mut commands = Peer::simulated_commands(&controller);
-        controller.link(Port::Command).direction(direction).delay(DELAY);
-        // Those that come one by one would take 30 s.
-        for _ in 0..200 {
-            commands.send(request("get_version"));
-        }
-        for _ in 0..200 {
-            assert_accepted(&json(&commands.receive()), "get_version");
-            assert_eq!(clock.elapsed(), DELAY);
-        }
-    }
-}
-
-#[test]
-fn a_delayed_packet_shows_what_has_been() {
-    let (controller, _commands, mut status) = connected();
-    controller.link(Port::Status).to_client().delay(DELAY);
-    let began = Instant::now();
-    controller.publish();
-    controller.set_state(|state| state.powered = true);
-    controller.publish();
-    assert_eq!(json(&status.receive())["powered_on"], json("0"));
-    assert_eq!(json(&status.receive())["powered_on"], json("1"));
-    assert!(began.elapsed() >= DELAY);
-}
-
-#[test]
 fn a_change_is_for_what_is_under_way() {
     for direction in Direction::ALL {
         let (controller, mut commands, _status) = connected();
@@ -213,31 +91,6 @@ fn a_change_is_for_what_is_under_way() {
         assert_accepted(&json(&commands.receive()), "get_version");
         assert_accepted(&commands.call("get_version"), "get_version");
     }
-}
-
-#[test]
-fn what_was_held_may_go_on_slowly() {
-    let pace = 20_000_u32;
-    let (controller, mut commands, mut status) = connected();
-    controller.links().hold();
-    for _ in 0..3 {
-        controller.publish();
-    }
-    let requests = request("get_version").repeat(20);
-    commands.send(&requests);
-    let began = Instant::now();
-    controller.links().slow(pace.into());
-    let mut bytes: usize = [(); 3].map(|()| status.receive().len()).iter().sum();
-    // A portion of 10 ms goes first.
-    let least = |bytes: usize| {
-        let bytes = u32::try_from(bytes).expect("there are few");
-        Duration::from_secs_f64(f64::from(bytes) / f64::from(pace) - 0.011)
-    };
-    assert!(began.elapsed() >= least(bytes), "{bytes} bytes in {:?}", began.elapsed());
-    bytes = (0..20).map(|_| commands.receive().len()).sum();
-    assert!(began.elapsed() >= least(bytes.max(requests.len())), "{bytes} bytes in {:?}", began.elapsed());
-    controller.links().release();
-    assert_accepted(&commands.call("get_version"), "get_version");
 }
 
 #[test]

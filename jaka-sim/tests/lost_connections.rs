@@ -16,18 +16,6 @@ fn half_open() -> (Controller, Peer) {
 }
 
 #[test]
-fn a_half_open_connection_answers_nothing() {
-    let (controller, mut peer) = half_open();
-    peer.send(request("get_version"));
-    controller.release();
-    assert!(controller.state().powered);
-    // A newcomer is served, and closes it.
-    assert_accepted(&Peer::commands(&controller).call("get_payload"), "get_payload");
-    assert_eq!(peer.read_to_end(), b"");
-    assert_eq!(controller.requests(), ["power_on", "get_payload"].map(request));
-}
-
-#[test]
 fn a_half_open_connection_ends_with_the_controller_and_with_the_client() {
     let (controller, mut peer) = half_open();
     drop(controller);
@@ -46,22 +34,6 @@ fn a_half_open_connection_fills_up() {
     peer.stream.set_nonblocking(false).expect("an option can be set");
     drop(controller);
     peer.read_to_end();
-}
-
-#[test]
-fn another_client_takes_the_port() {
-    let controller = fresh();
-    let mut peer = Peer::commands(&controller);
-    for _ in 0..10 {
-        controller.inject(Fault::Takeover);
-        peer.send(request("power_on"));
-        assert_eq!(peer.read_to_end(), b"");
-        // Who comes back takes the port in turn.
-        peer = Peer::commands(&controller);
-        assert_eq!(peer.call("get_robot_state")["power"], "powered_on");
-    }
-    controller.take_over().expect("the controller listens");
-    assert_eq!(peer.read_to_end(), b"");
 }
 
 #[test]

@@ -64,20 +64,6 @@ fn a_request_may_wait_for_its_end() {
 }
 
 #[test]
-fn a_new_client_replaces_the_active_one() {
-    let controller = fresh();
-    let mut old = Peer::commands(&controller);
-    assert_accepted(&old.call("power_on"), "power_on");
-    for _ in 0..10 {
-        let mut new = Peer::commands(&controller);
-        assert_eq!(old.read_to_end(), b"");
-        // Power and enabling are the robot's, not the connection's.
-        assert_eq!(new.call("get_robot_state")["power"], "powered_on");
-        old = new;
-    }
-}
-
-#[test]
 fn a_newcomer_is_refused() {
     let controller =
         Controller::builder().delays(Delays::NONE).takeover(Takeover::Refuse).start().expect("loopback has ports");

@@ -1,12 +1,11 @@
-//! Actions once the state is as a condition says, and programs that run meanwhile.
+//! Actions once the state is as a condition says.
 
-use std::io::ErrorKind;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::mpsc;
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use crate::common::{LIMIT, Peer, assert_accepted, assert_refused, document, enabled, stepped};
+use crate::common::{LIMIT, Peer, assert_accepted, document, enabled, stepped};
 use jaka_sim::{Fault, Happening, Level, SimulatedClock};
 
 const TURN: &str = r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[90,0,0,0,0,0],"speed":10,"accel":100}"#;
@@ -174,51 +173,4 @@ fn what_has_not_happened_is_given_up_with_the_controller() {
     begun.recv().expect("it begins");
     drop(controller);
     assert!(begins.wait(Duration::ZERO) && !never.wait(LIMIT));
-}
-
-#[test]
-fn a_program_runs_while_its_test_has_things_happen() {
-    let controller = stepped();
-    let mut peer = Peer::commands(&controller);
-    let program = move || (peer.ask(TURN), peer.call("wait_complete"), peer.ask(TURN));
-    let replies = controller.run_while(LIMIT, program, |controller| {
-        assert!(controller.wait_for_requests(2, LIMIT));
-        controller.collide();
-    });
-    let (accepted, waited, refused) = replies.expect("it ends");
-    assert_accepted(&accepted, "joint_move");
-    assert_eq!(waited["errorCode"], "0");
-    assert_refused(&refused, "joint_move");
-}
-
-#[test]
-fn a_program_that_does_not_end_is_an_error_and_one_that_panics_panics() {
-    let controller = stepped();
-    let (sender, ends) = mpsc::channel::<()>();
-    let since = Instant::now();
-    let error = controller.run_while(ms(50), move || ends.recv(), |_| {}).expect_err("it does not end");
-    assert!(error.kind() == ErrorKind::TimedOut && since.elapsed() < LIMIT, "{error}");
-    drop(sender);
-    let panics = || controller.run_while(LIMIT, || panic!("the program"), |_| {}).expect("it ends");
-    assert_eq!(panic_of(panics), "the program");
-    let panics = || controller.run_while(LIMIT, || (), |_| panic!("the test")).expect("it ends");
-    assert_eq!(panic_of(panics), "the test");
-}
-
-#[test]
-fn by_a_simulated_clock_a_program_and_its_test_begin_at_the_same_time() {
-    for _ in 0..20 {
-        let clock = SimulatedClock::new();
-        let controller = document().clock(&clock).start().expect("loopback has ports");
-        let theirs = clock.clone();
-        let program = move || {
-            theirs.sleep(ms(3000));
-            theirs.elapsed()
-        };
-        let ended = controller.run_while(LIMIT, program, |controller| {
-            clock.sleep(ms(1000));
-            assert_eq!((clock.elapsed(), controller.elapsed()), (ms(1000), ms(1000)));
-        });
-        assert_eq!((ended.expect("it ends"), clock.elapsed()), (ms(3000), ms(3000)));
-    }
 }

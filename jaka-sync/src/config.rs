@@ -75,11 +75,6 @@ impl Config {
         self
     }
 
-    /// The value of [`connect_timeout`](Self::connect_timeout).
-    pub fn get_connect_timeout(&self) -> Duration {
-        self.connect_timeout
-    }
-
     /// Sets the longest time for a reply, or a status packet, from the moment of the call. 5 s by default.
     ///
     /// The time of a call includes the wait for other threads that send, and the sending itself. Commands with a longer
@@ -104,20 +99,10 @@ impl Config {
         self
     }
 
-    /// The value of [`keepalive`](Self::keepalive).
-    pub fn get_keepalive(&self) -> Option<Duration> {
-        self.keepalive
-    }
-
     /// Sets the length of the longest message that is accepted from the controller, in bytes. 1 MiB by default.
     pub fn max_frame(mut self, bytes: usize) -> Self {
         self.max_frame = bytes;
         self
-    }
-
-    /// The value of [`max_frame`](Self::max_frame).
-    pub fn get_max_frame(&self) -> usize {
-        self.max_frame
     }
 
     /// Sets whether advisory ranges are enforced: ranges that newer firmware has widened, and ranges that are only
@@ -125,11 +110,6 @@ impl Config {
     pub fn advisory_ranges(mut self, ranges: AdvisoryRanges) -> Self {
         self.advisory_ranges = ranges;
         self
-    }
-
-    /// The value of [`advisory_ranges`](Self::advisory_ranges).
-    pub fn get_advisory_ranges(&self) -> AdvisoryRanges {
-        self.advisory_ranges
     }
 
     /// Sets the time without a packet after which a [`Monitor`](crate::Monitor)'s status is stale. 0.5 s by default,
@@ -151,31 +131,16 @@ impl Config {
         self
     }
 
-    /// The value of [`reconnect`](Self::reconnect).
-    pub fn get_reconnect(&self) -> Reconnect {
-        self.reconnect
-    }
-
     /// Records all connections that are made with this configuration. Nothing is recorded by default, at no cost.
     pub fn recorder(mut self, recorder: Recorder) -> Self {
         self.recorder = Some(recorder);
         self
     }
 
-    /// The value of [`recorder`](Self::recorder).
-    pub fn get_recorder(&self) -> Option<&Recorder> {
-        self.recorder.as_ref()
-    }
-
     /// Sets the status packets that are recorded. All by default, which can be about 0.5 MB each second.
     pub fn status_sampling(mut self, sampling: StatusSampling) -> Self {
         self.status_sampling = sampling;
         self
-    }
-
-    /// The value of [`status_sampling`](Self::status_sampling).
-    pub fn get_status_sampling(&self) -> StatusSampling {
-        self.status_sampling
     }
 
     /// Sets a simulated clock for all connections, for tests: see [`SimulatedClock`](crate::SimulatedClock). The

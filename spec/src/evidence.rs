@@ -13,29 +13,24 @@ pub struct Evidence {
     pub detail: Option<String>,
 }
 
-/// Kinds of sources, in the order of the reference's scale, which is not an order of trust: a capture shows one
-/// controller.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Mark {
-    /// The TCP document 2.0.4, in a text of it that is not the command's own section.
-    Document,
-    /// Another text of the vendor: a page, a manual, a header, the table of events, release notes.
-    Page,
-    /// Bytes of the vendor's own client libraries: their requests, and the keys that they read.
-    Bytes,
-    /// Capture or transcript of a real controller.
-    Capture,
-    /// Several independent programs.
-    Clients,
-    /// One program.
-    Client,
-    /// Collected evidence without a record of its source.
-    Notes,
-}
-
 toml_words! {
-    Mark {
-        Document: "document", Page: "page", Bytes: "bytes", Capture: "capture", Clients: "clients", Client: "client", Notes: "notes",
+    /// Kinds of sources, in the order of the reference's scale, which is not an order of trust: a capture shows one
+    /// controller.
+    pub enum Mark {
+        /// The TCP document 2.0.4, in a text of it that is not the command's own section.
+        Document: "document",
+        /// Another text of the vendor: a page, a manual, a header, the table of events, release notes.
+        Page: "page",
+        /// Bytes of the vendor's own client libraries: their requests, and the keys that they read.
+        Bytes: "bytes",
+        /// Capture or transcript of a real controller.
+        Capture: "capture",
+        /// Several independent programs.
+        Clients: "clients",
+        /// One program.
+        Client: "client",
+        /// Collected evidence without a record of its source.
+        Notes: "notes",
     }
 }
 

@@ -6,12 +6,27 @@
 // On the host of the documentation each item says which feature it needs.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
-/// Gives the values of an enum their words in the TOML files, and the names of their variants in Rust.
+/// An enum whose values are words of the TOML files. jaka-proto-derive makes the enum of jaka-proto from it.
 macro_rules! toml_words {
-    ($type:ident { $($variant:ident: $word:literal),+ $(,)? }) => {
+    ($(#[doc = $doc:literal])+ pub enum $type:ident {
+        $($(#[doc = $of_value:literal])+ $variant:ident: $word:literal),+ $(,)?
+    }) => {
+        $(#[doc = $doc])+
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum $type {
+            $($(#[doc = $of_value])+ $variant),+
+        }
+
         impl $type {
             /// Words of the TOML files, each with its value.
             pub(crate) const WORDS: &'static [(&'static str, Self)] = &[$(($word, Self::$variant)),+];
+
+            /// The enum and its values, with their docs.
+            pub const WORD_ENUM: $crate::WordEnum = $crate::WordEnum {
+                name: stringify!($type),
+                doc: &[$($doc),+],
+                values: &[$((stringify!($variant), $word, concat!($($of_value),+))),+],
+            };
 
             /// Word of the TOML files.
             pub fn word(self) -> &'static str {
@@ -24,6 +39,13 @@ macro_rules! toml_words {
             pub fn variant(self) -> &'static str {
                 match self {
                     $(Self::$variant => stringify!($variant)),+
+                }
+            }
+
+            /// Docs of the value, on one line.
+            pub fn doc(self) -> &'static str {
+                match self {
+                    $(Self::$variant => concat!($($of_value),+).trim_ascii_start()),+
                 }
             }
         }
@@ -76,6 +98,17 @@ pub use scalar::Scalar;
 pub use spec::{Shape, Spec, is_floats};
 pub use unit::unit_factor;
 pub use version::{Version, Versions};
+
+/// An enum whose values are words of the TOML files, with its docs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct WordEnum {
+    /// Name of the enum.
+    pub name: &'static str,
+    /// Lines of its docs.
+    pub doc: &'static [&'static str],
+    /// Name of each variant, its word and its docs.
+    pub values: &'static [(&'static str, &'static str, &'static str)],
+}
 
 /// A TOML file: the path that errors name, and its text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -175,43 +175,32 @@ impl Command {
     }
 }
 
-/// Effect of a command on the robot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Effect {
-    /// Reads; changes nothing.
-    Query,
-    /// Changes a setting or an output.
-    Setting,
-    /// Starts, stops or continues a motion or a program.
-    Motion,
-    /// Switches power, brakes or the controller itself.
-    Power,
-    /// Concerns the connection alone.
-    Session,
+toml_words! {
+    /// Effect of a command on the robot.
+    pub enum Effect {
+        /// Reads; changes nothing.
+        Query: "query",
+        /// Changes a setting or an output.
+        Setting: "setting",
+        /// Starts, stops or continues a motion or a program.
+        Motion: "motion",
+        /// Switches power, brakes or the controller itself.
+        Power: "power",
+        /// Concerns the connection alone.
+        Session: "session",
+    }
 }
 
 toml_words! {
-    Effect { Query: "query", Setting: "setting", Motion: "motion", Power: "power", Session: "session" }
-}
-
-/// A state that a command needs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Requirement {
-    /// The arm has power.
-    Powered,
-    /// The arm is enabled.
-    Enabled,
-    /// Servo mode is on.
-    ServoMode,
-    /// Servo mode is off.
-    NotServoMode,
-}
-
-toml_words! {
-    Requirement {
+    /// A state that a command needs.
+    pub enum Requirement {
+        /// The arm has power.
         Powered: "powered",
+        /// The arm is enabled.
         Enabled: "enabled",
+        /// Servo mode is on.
         ServoMode: "servo_mode",
+        /// Servo mode is off.
         NotServoMode: "not_servo_mode",
     }
 }
@@ -576,18 +565,22 @@ impl Event {
     }
 }
 
-/// Severity of an event.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Severity {
-    /// Something failed.
-    Error,
-    /// Something may fail, or was not done.
-    Warning,
-    /// Something happened.
-    Information,
+toml_words! {
+    /// Severity of a controller's event.
+    ///
+    /// The severity is the vendor's and does not say whether the arm moves: an emergency stop is information. The
+    /// other fields of the status packet say whether the arm is stopped. For a program that waits for the end of a
+    /// motion the rule is: an error ends the wait; a warning and information are reported and end nothing; an unknown
+    /// event ends the wait only together with an arm at rest or a stop that the status packet shows.
+    pub enum Severity {
+        /// Something failed.
+        Error: "error",
+        /// Something may fail, or was not done.
+        Warning: "warning",
+        /// Something happened.
+        Information: "information",
+    }
 }
-
-toml_words! { Severity { Error: "error", Warning: "warning", Information: "information" } }
 
 /// A refusal in the controller's own words.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,35 +1,37 @@
 //! Meaning of a command to the arm: roles, changes and motions.
 
-/// Role of a command, or of a variant of its request.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Role {
-    /// Stops the arm. `jaka` sends the built-in one, and one of a confirmed pack, without a question.
-    Stop,
-    /// Stops the jog of one axis. `jaka` sends the built-in one without a question.
-    StopAxis,
-    /// Pauses a motion or a program. `jaka` sends the built-in one without a question.
-    Pause,
-    /// Resumes a paused motion.
-    Resume,
-    /// Set-point of servo mode.
-    SetPoint,
-    /// Enters or leaves servo mode.
-    ServoMode,
-    /// Sets an output. Passes while a session, a stream or a trajectory moves the arm.
-    Output,
-    /// Short query for a state of the robot. Passes likewise.
-    State,
+toml_words! {
+    /// Role of a request for the arm, which decides the times at which it may be sent.
+    pub enum Role {
+        /// Stops the arm. Stop handles, guards and sessions send the built-in `stop_program` alone.
+        Stop: "stop",
+        /// Stops the jog of one axis.
+        StopAxis: "stop_axis",
+        /// Pauses a motion or a program.
+        Pause: "pause",
+        /// Resumes a paused motion.
+        Resume: "resume",
+        /// Set-point of servo mode.
+        SetPoint: "set_point",
+        /// Enters or leaves servo mode. A request that leaves it has a role of its own.
+        ServoMode: "servo_mode",
+        /// Sets an output. Passes while a session, a stream or a trajectory moves the arm.
+        Output: "output",
+        /// Short query for a state of the robot. Passes while a session, a stream or a trajectory moves the arm.
+        State: "state",
+    }
 }
 
-/// Property of the arm that a command changes, and on which other commands depend.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Change {
-    /// Frames to which poses refer: the user frame, or the mounting of the arm.
-    Frames,
-    /// Tool frame, whose origin is the tool centre point.
-    Tool,
-    /// Payload.
-    Payload,
+toml_words! {
+    /// Property of the arm that a command changes, and on which other commands depend.
+    pub enum Change {
+        /// Frames to which poses refer: the user frame, or the mounting of the arm.
+        Frames: "frames",
+        /// Tool frame, whose origin is the tool centre point.
+        Tool: "tool",
+        /// Payload.
+        Payload: "payload",
+    }
 }
 
 /// Motion that a command starts, by the Rust names of the fields of its request.
@@ -80,21 +82,6 @@ pub const JOINT_POSITION: &str = "JointPosition";
 
 /// Type of a pose.
 pub const POSE: &str = "Pose";
-
-toml_words! {
-    Role {
-        Stop: "stop",
-        StopAxis: "stop_axis",
-        Pause: "pause",
-        Resume: "resume",
-        SetPoint: "set_point",
-        ServoMode: "servo_mode",
-        Output: "output",
-        State: "state",
-    }
-}
-
-toml_words! { Change { Frames: "frames", Tool: "tool", Payload: "payload" } }
 
 impl PathKind {
     /// Words of the TOML files, each with its value.

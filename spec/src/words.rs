@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 pub use crate::names::{distance, nearest};
-use crate::{Advice, Change, Command, Field, Motion, PathKind, Range, Requirement, Role, Spec, TypeKind, Versions};
+use crate::{Advice, Change, Command, Field, Motion, PathKind, Range, Requirement, Spec, TypeKind, Versions};
 
 /// The first sentence with its full stop, and all that follows.
 pub fn first_sentence(text: &str) -> (&str, &str) {
@@ -69,20 +69,6 @@ pub fn versions(versions: &Versions) -> Option<String> {
 pub fn known_to(command: &Command) -> Option<String> {
     let known = if command.evidence.is_empty() { "Known" } else { "Taken to be known" };
     versions(&command.versions).map(|versions| format!("{known} to firmware {versions}."))
-}
-
-/// Role of a command in a sentence.
-pub fn role_sentence(role: Role) -> &'static str {
-    match role {
-        Role::Stop => "Stops the arm.",
-        Role::StopAxis => "Stops the jog of one axis.",
-        Role::Pause => "Pauses a motion or a program.",
-        Role::Resume => "Resumes what is paused.",
-        Role::SetPoint => "Set-point of servo mode.",
-        Role::ServoMode => "Enters or leaves servo mode.",
-        Role::Output => "Output: passes while a session, a stream or a trajectory moves the arm.",
-        Role::State => "State of the robot: passes while a session, a stream or a trajectory moves the arm.",
-    }
 }
 
 /// `the frames of poses, the tool frame and the payload`; nothing if nothing is changed.

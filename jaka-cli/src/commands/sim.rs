@@ -35,8 +35,8 @@ pub(crate) struct Sim {
     /// Model of the arm, such as zu5; `list` for all [default: zu5]
     #[arg(long, value_name = "NAME")]
     model: Option<String>,
-    /// Firmware of the controller, which determines the form of packets and replies, and habits: 1.5.14, newer,
-    /// document, or odd
+    /// Firmware of the controller, which determines the form of packets and replies, and habits: 1.5.14, newer or
+    /// document
     #[arg(long, value_name = "NAME", default_value_t, value_parser = firmware)]
     firmware: Firmware,
     /// Period of status packets in milliseconds [default: that of the firmware]

@@ -10,8 +10,8 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::collections::{HashMap, VecDeque};
 
-use crate::command::Role;
 use crate::envelope::Envelope;
+use crate::messages::Role;
 
 /// One request of an exchange. The default is one that no exchange gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]

@@ -38,44 +38,11 @@ impl From<Pose> for mint::Quaternion<f64> {
     }
 }
 
-/// The orientation as a rotation matrix.
-impl From<Pose> for mint::ColumnMatrix3<f64> {
-    fn from(pose: Pose) -> Self {
-        mint::RowMatrix3::from(pose.rotation_matrix()).into()
-    }
-}
-
-/// The rotation in radians: `rz`, `ry`, `rx` about the moving axes z, y, x.
-impl From<Pose> for mint::EulerAngles<f64, mint::IntraZYX> {
-    fn from(pose: Pose) -> Self {
-        let [rx, ry, rz] = pose.rotation_rad();
-        [rz, ry, rx].into()
-    }
-}
-
 /// A position in millimetres and an orientation; an error as from [`Pose::with_quaternion`].
 impl TryFrom<(mint::Point3<f64>, mint::Quaternion<f64>)> for Pose {
     type Error = NotARotation;
 
     fn try_from((position, orientation): (mint::Point3<f64>, mint::Quaternion<f64>)) -> Result<Self, NotARotation> {
         Self::from_millimetres_quaternion(position.into(), orientation)
-    }
-}
-
-/// A position in millimetres and a rotation matrix; an error as from [`Pose::with_rotation_matrix`].
-impl TryFrom<(mint::Point3<f64>, mint::ColumnMatrix3<f64>)> for Pose {
-    type Error = NotARotation;
-
-    fn try_from((position, matrix): (mint::Point3<f64>, mint::ColumnMatrix3<f64>)) -> Result<Self, NotARotation> {
-        let rows = mint::RowMatrix3::from(matrix).into();
-        Self::from_millimetres_degrees(position.into(), [0.0; 3]).with_rotation_matrix(rows)
-    }
-}
-
-/// A position in millimetres, and a rotation in radians with unchanged angles.
-impl From<(mint::Point3<f64>, mint::EulerAngles<f64, mint::IntraZYX>)> for Pose {
-    fn from((position, angles): (mint::Point3<f64>, mint::EulerAngles<f64, mint::IntraZYX>)) -> Self {
-        let rotation = [angles.c, angles.b, angles.a].map(f64::to_degrees);
-        Self::from_millimetres_degrees(position.into(), rotation)
     }
 }

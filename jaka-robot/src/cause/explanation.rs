@@ -42,8 +42,6 @@ jaka_proto::worded! {
         Event(event: ControllerEvent) => "the controller reports an error: {event}",
         /// A soft limit of the controller was hit (`on_soft_limit` of the status): move away from it.
         SoftLimit => "a soft limit of the controller was hit",
-        /// The motion is beyond a limit of the robot's, and was sent all the same.
-        BeyondLimit(beyond: Box<jaka_motion::Beyond>) => "{beyond}",
     }
 }
 
@@ -63,7 +61,6 @@ impl Explanation {
             Self::Moving => Cause::Moving,
             Self::Event(_) => Cause::ControllerError,
             Self::SoftLimit => Cause::SoftLimit,
-            Self::BeyondLimit(_) => Cause::BeyondLimit,
         }
     }
 

@@ -43,11 +43,9 @@ impl LimitChecks {
         (settling, timeout): (Duration, Duration),
     ) -> Result<Option<JointPosition>, Error> {
         let Some(limited) = &mut self.0 else { return Ok(None) };
-        limited.warning = None;
         let since = arm.clock().stopwatch();
         let mut check = Check { arm, limited, command: motion.info.name, since, timeout };
-        let end = check.start(beginning, settling).and_then(|from| check.end(motion, from));
-        end.or_else(|error| limited.judged(error).map(|()| None))
+        check.start(beginning, settling).and_then(|from| check.end(motion, from))
     }
 }
 

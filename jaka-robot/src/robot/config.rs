@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use jaka_motion::Limits;
 
+use crate::Error;
 use crate::arm::REST_SPEED;
 use crate::error::OptionName;
 use crate::limits::Waived;
 use crate::planned::Grace;
 use crate::power_steps::NeedsRest;
-use crate::{Error, LimitPolicy};
 
 /// Options of a [`Robot`](crate::Robot), without the options of its connections ([`Config`](crate::Config)).
 ///
@@ -58,7 +58,6 @@ pub struct RobotConfig {
     pub(super) needs_rest: NeedsRest,
     pub(super) needs_status: bool,
     pub(super) limits: Option<Limits>,
-    pub(super) policy: LimitPolicy,
     pub(super) waived: Waived,
 }
 
@@ -71,7 +70,6 @@ impl Default for RobotConfig {
             needs_rest: NeedsRest::Seen,
             needs_status: true,
             limits: None,
-            policy: LimitPolicy::default(),
             waived: Waived::default(),
         }
     }
@@ -138,14 +136,6 @@ impl RobotConfig {
     /// Sets the limits by which each motion and each set-point is checked before it is sent. By default there are none.
     pub fn limits(mut self, limits: Limits) -> Self {
         self.limits = Some(limits);
-        self
-    }
-
-    /// Sets the policy for a motion that is beyond a limit, or cannot be checked. It is refused by default. If the
-    /// controller's poses have changed from the limits' model, that is an error in any case
-    /// ([`ErrorKind::ModelMismatch`](crate::ErrorKind::ModelMismatch)).
-    pub fn limit_policy(mut self, policy: LimitPolicy) -> Self {
-        self.policy = policy;
         self
     }
 

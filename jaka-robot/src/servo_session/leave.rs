@@ -148,7 +148,7 @@ impl ServoSession<'_> {
         match error.cause() {
             // By the controller's own answer, before packets that come seldom show it.
             Cause::NotPowered | Cause::NotEnabled => self.ended_by(error.occurrence()),
-            _ => self.limits.explained(error),
+            _ => error,
         }
     }
 

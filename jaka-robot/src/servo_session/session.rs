@@ -333,7 +333,7 @@ impl ServoSession<'_> {
     fn check(&mut self, set_point: &SetPoint) -> Result<Option<JointPosition>, Error> {
         let period = self.config.period();
         // Limits know the joints for a pose, too.
-        if !(set_point.is_pose() && self.limits.refuses_beyond_limits()) {
+        if !(set_point.is_pose() && self.limits.checker().is_some()) {
             let step = self.course.step_to(set_point);
             let before = step.as_ref().and_then(|step| self.course.last_step(step));
             match (step, before) {

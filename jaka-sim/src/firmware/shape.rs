@@ -29,8 +29,6 @@ pub(crate) struct Shape {
     pub(crate) tool_digital: usize,
     /// Initial values of the analog inputs of the tool.
     pub(crate) tool_analog: &'static [f64],
-    /// Number of functions with a possible input. The query has two fewer in the document.
-    pub(crate) functions: usize,
     /// Whether no function has an input initially.
     pub(crate) no_function_input: bool,
     /// `task_state` of a disabled arm with power.
@@ -60,7 +58,6 @@ impl Firmware {
         state.analog_inputs.resize(shape.analog, 0.0);
         state.tool_digital_inputs.resize(shape.tool_digital, false);
         state.tool_analog_inputs = shape.tool_analog.to_vec();
-        state.function_inputs.truncate(shape.functions);
         if shape.no_function_input {
             for input in &mut state.function_inputs {
                 (input.kind, input.index) = (FunctionInputKind::Unassigned, -1);

@@ -5,7 +5,7 @@ use std::iter::{once, repeat};
 
 use jaka_proto::Envelope;
 use jaka_proto::wire::{Decode, Reader, Writer};
-use jaka_spec::{COMMAND_NAME, ERROR_CODE, ERROR_MESSAGE, Field, Scalar, Shape, Spec, Type};
+use jaka_spec::{Field, Scalar, Shape, Spec, Type};
 
 use super::Writing;
 use super::shape::Shape as FirmwareShape;
@@ -48,30 +48,16 @@ impl<'s> Values<'s> {
         let envelope = Envelope::read(reply).ok()?;
         let command = envelope.command.as_deref().and_then(|name| self.spec.command(name));
         let fields = command.map_or(&[][..], |command| self.spec.reply_fields(command));
-        let is_odd = self.writing == Writing::Odd;
-        let is_success = envelope.code.as_ref().is_ok_and(|code| code.is_success());
         let mut rewritten = Vec::new();
         for (key, json) in members(reply)? {
             let mut out = Writer::new();
             out.text(&key);
             out.raw(":");
-            match &*key {
-                ERROR_CODE => match envelope.code.as_ref().ok().and_then(|code| self.writing.code(*code)) {
-                    Some(code) => out.json(&code),
-                    None => out.raw(json),
-                },
-                ERROR_MESSAGE if is_odd && is_success => continue,
-                COMMAND_NAME if is_odd => out.text(&format!(" {} ", envelope.command.as_deref().unwrap_or_default())),
-                key => match fields.iter().find(|field| field.wire == key) {
-                    Some(field) => self.field(field, json, &mut out),
-                    None => out.raw(json),
-                },
+            match fields.iter().find(|field| field.wire == key) {
+                Some(field) => self.field(field, json, &mut out),
+                None => out.raw(json),
             }
             rewritten.push(out.into_string());
-        }
-        rewritten.extend(self.writing.unknown_key().map(str::to_owned));
-        if is_odd {
-            rewritten.reverse();
         }
         Some(respace(&format!("{{{}}}", rewritten.join(",")), self.writing.separators()))
     }
@@ -95,7 +81,6 @@ impl<'s> Values<'s> {
         match self.spec.shape(ty) {
             Shape::Scalar(Scalar::Bool { off, on }) => self.truth(name, [off, on], json, out)?,
             Shape::Scalar(Scalar::Float) => self.float(json, out),
-            Shape::Scalar(Scalar::Int) | Shape::IntEnum(_) => self.int(json, out),
             Shape::List(element, _) => {
                 out.array(&elements(json)?, |out, json| self.value(name, element, json, out));
             }
@@ -108,7 +93,10 @@ impl<'s> Values<'s> {
                 let variant = choice.variants.iter().find(|variant| variant.wire.to_string() == *tag)?;
                 self.elements(once(None).chain(variant.fields.iter().map(Some)), &elements, out);
             }
-            Shape::Scalar(Scalar::Text | Scalar::Json) | Shape::Python(_) | Shape::TextEnum(_) => return None,
+            Shape::Scalar(Scalar::Int | Scalar::Text | Scalar::Json)
+            | Shape::Python(_)
+            | Shape::IntEnum(_)
+            | Shape::TextEnum(_) => return None,
         }
         Some(())
     }
@@ -158,10 +146,6 @@ impl<'s> Values<'s> {
                 None if printed[1].starts_with('"') => ["false", "true"],
                 None => printed,
             },
-            Writing::Odd => {
-                let more = [["false", "true"], ["0", "1"], ["\"0\"", "\"1\""], ["\"False\"", "\"True\""]];
-                more.get(name.len() % 5).copied().unwrap_or(printed)
-            }
         }
     }
 
@@ -178,7 +162,6 @@ impl<'s> Values<'s> {
         let Ok(number) = json.parse::<f64>() else { return out.raw(json) };
         match (self.writing, self.decimals) {
             (Writing::Document, _) => out.float(number),
-            (Writing::Odd, _) => out.text(json),
             (Writing::Capture | Writing::AsPackets, Some(decimals)) => {
                 let text = format!("{number:.decimals$}");
                 let short = text.trim_end_matches('0');
@@ -197,11 +180,6 @@ impl<'s> Values<'s> {
             jaka_spec::POSE => Some(self.pose_decimals),
             _ => None,
         }
-    }
-
-    /// Writes a whole number.
-    fn int(self, json: &str, out: &mut Writer) {
-        if self.writing == Writing::Odd { with_fraction(json, out) } else { out.raw(json) }
     }
 }
 

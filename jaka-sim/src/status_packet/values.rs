@@ -16,6 +16,8 @@ use crate::state::TorqueSensor;
 
 /// Number of serial signals at the tool (up to eight), none of which is set.
 const RS_SIGNALS: usize = 8;
+/// Number of functions with a possible input. The query has two fewer in the document.
+const FUNCTIONS: usize = 15;
 /// Six values without a measurement.
 const NO_READINGS: [f64; 6] = [0.0; 6];
 
@@ -85,7 +87,7 @@ fn inputs_and_outputs(state: &State, shape: &Shape, status: &mut RobotStatus) {
     status.tool_digital_outputs = Some(digital_outputs(state, DigitalOutputKind::Tool, shape.tool_digital));
     status.tool_analog_inputs = Some(state.tool_analog_inputs.clone());
     let functions = state.function_inputs.iter().map(|input| json!([i64::from(input.kind), input.index]));
-    let unassigned = shape.functions.saturating_sub(state.function_inputs.len());
+    let unassigned = FUNCTIONS.saturating_sub(state.function_inputs.len());
     status.function_inputs = Some(Typed::Raw(functions.chain(repeat_n(json!([-1, -1]), unassigned)).collect()));
 }
 

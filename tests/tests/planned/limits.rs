@@ -11,7 +11,7 @@ use jaka_robot::force::StartTorqSensorPayloadIdentify;
 use jaka_robot::frames::SetToolOffsets;
 use jaka_robot::motion::{EndMove, JointMove, MoveC, MoveL};
 use jaka_robot::types::Pose;
-use jaka_robot::{Cause, ErrorKind, Explanation, LimitPolicy, Robot, RobotConfig, ServoConfig, Unchecked};
+use jaka_robot::{Cause, ErrorKind, Robot, RobotConfig, ServoConfig, Unchecked};
 use jaka_tests::{Arm, Configured as _, LONG};
 
 const START: [f64; 6] = [10.0, 100.0, 80.0, 90.0, -90.0, 0.0];
@@ -168,27 +168,6 @@ fn limits_follow_the_frames_that_are_selected() {
     arm.set_state(|state| state.tool_frame_id = 2);
     let error = robot.start(&down(4.0)).expect_err("the long tool is below the floor");
     assert!(error.to_string().contains("`floor`"), "{error}");
-}
-
-#[test]
-fn a_warning_is_kept_and_explains_the_controllers_refusal() {
-    let (arm, robot) = with_limits(limits());
-    let mut robot =
-        robot.configured(&RobotConfig::new().limits(limits()).limit_policy(LimitPolicy::Warn)).expect("it is this arm");
-    let fast = JointMove::relative([0.0, 0.0, 0.0, 0.0, 0.0, 5.0], 100.0).acceleration(200.0);
-    robot.run(&fast, LONG).expect("it is sent").reached().expect("it ends there");
-    let warning = robot.limit_warning().unwrap_or_default();
-    assert!(warning.starts_with("`joint_move` was sent although") && warning.contains("deg/s²"), "{warning}");
-    let pose = start_pose();
-    let error =
-        robot.run(&MoveL::absolute(Pose { x: 2000.0, ..pose }, 100.0), LONG).expect_err("the controller refuses");
-    let ErrorKind::Refused { explanation: Some(Explanation::BeyondLimit(beyond)), .. } = error.kind() else {
-        panic!("{error:?}")
-    };
-    assert!(beyond.to_string().contains("out of reach by"), "{beyond}");
-    assert_eq!(motions(&arm).len(), 2);
-    robot.run(&turn(6, 1.0), LONG).expect("it is accepted").reached().expect("it ends there");
-    assert!(robot.limit_warning().is_none());
 }
 
 #[test]

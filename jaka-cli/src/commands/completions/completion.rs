@@ -146,7 +146,7 @@ mod tests {
         assert_eq!(words("call --list pay"), ["payload"]);
         assert_eq!(words("jog "), ["1", "2", "3", "4", "5", "6", "x", "y", "z"]);
         assert_eq!(words("jog 6 "), Vec::<String>::new(), "any distance");
-        assert_eq!(words("sim --firmware "), ["1.5.14", "newer", "document", "odd"]);
+        assert_eq!(words("sim --firmware "), ["1.5.14", "newer", "document"]);
         assert_eq!(words("replay a.jsonl --show --command get_tcp"), ["get_tcp_pos"]);
     }
 

@@ -33,27 +33,3 @@ fn quaternion() {
     assert_eq!(Pose::try_from((POSITION, unlike)), Err(NotARotation::Quaternion));
     assert_eq!(turned([0.0; 3]).with_quaternion(unlike), Err(NotARotation::Quaternion));
 }
-
-#[test]
-fn matrix() {
-    let matrix = mint::ColumnMatrix3::from(pose());
-    assert_near(matrix.x.into(), [0.0, 1.0, 0.0]);
-    assert_near(matrix.y.into(), [0.0, 0.0, 1.0]);
-    assert_near(matrix.z.into(), [1.0, 0.0, 0.0]);
-    let back = Pose::try_from((POSITION, matrix)).expect("a rotation");
-    assert_near(back.position_mm(), pose().position_mm());
-    assert_near(back.rotation_deg(), pose().rotation_deg());
-    let mirror = mint::ColumnMatrix3 { x: matrix.y, y: matrix.x, z: matrix.z };
-    assert_eq!(Pose::try_from((POSITION, mirror)), Err(NotARotation::Matrix));
-}
-
-#[test]
-fn angles() {
-    let pose = Pose::from([100.0, -200.0, 300.0, 10.0, 20.0, 30.0]);
-    let angles = mint::EulerAngles::<f64, mint::IntraZYX>::from(pose);
-    assert_near([angles.a, angles.b, angles.c].map(f64::to_degrees), [30.0, 20.0, 10.0]);
-    let fixed = mint::EulerAngles::<f64, mint::ExtraXYZ>::from(angles);
-    assert_near([fixed.a, fixed.b, fixed.c].map(f64::to_degrees), [10.0, 20.0, 30.0]);
-    assert_near(Pose::from((POSITION, angles)).rotation_deg(), [10.0, 20.0, 30.0]);
-    assert_near(Pose::from((POSITION, angles)).position_mm(), pose.position_mm());
-}

@@ -19,9 +19,6 @@ pub struct Keys {
 }
 
 impl Keys {
-    /// Greatest number of keys of a type whose values are read in place.
-    pub const IN_PLACE: usize = 128;
-
     /// Empties the slot of a key that did not come.
     #[inline]
     pub fn absent<T>(&self, at: usize, slot: &mut Option<T>) {

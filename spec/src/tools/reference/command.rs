@@ -35,7 +35,7 @@ fn items(out: &mut String, heading: &str, items: &[String]) {
 fn facts(command: &Command) -> impl Iterator<Item = String> {
     let facts = [
         Some(format!("Effect: {}.", command.effect.word())),
-        command.role.map(|role| words::role_sentence(role).to_owned()),
+        command.role.map(|role| role.doc().to_owned()),
         words::changes(&command.changes).map(|changes| format!("Changes {changes}.")),
         command.motion.as_ref().map(|motion| motion_fact(command, motion)),
         Some(format!("In Rust: `Client::{}`.", command.name)),

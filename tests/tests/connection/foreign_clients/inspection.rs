@@ -191,7 +191,10 @@ fn refusals_are_no_successes() {
 /// writes them, are no success for the client, either of them. It waits in vain for a frame that is selected.
 #[test]
 fn a_code_that_is_a_number_is_no_success_for_it() {
-    let arm = arm().controller(|controller| controller.firmware(Firmware::Odd)).start();
+    let arm = arm().start();
+    for name in ["set_user_id", "get_data"] {
+        arm.set_reply(name, [("errorCode".to_owned(), 0.into()), ("cmdName".to_owned(), format!(" {name} ").into())]);
+    }
     let mut client = Backend::connect(&arm);
     let select = r#"{"cmdName":"set_user_id","user_frame_id":10}"#;
     let reply = client.exchange(select);
