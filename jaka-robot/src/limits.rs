@@ -122,8 +122,8 @@ impl LimitChecks {
         let (Some(before), Some(joints)) = (before, target) else {
             return Err(not_checked(arm, ServoJ::INFO.name, Unchecked::Start));
         };
-        let checked = checker.check_set_point(before, joints, period.as_secs_f64());
-        checked.map(|()| target).map_err(|beyond| beyond_limit(arm, ServoJ::INFO.name, beyond))
+        let result = checker.check_set_point(before, joints, period.as_secs_f64());
+        result.map(|()| target).map_err(|beyond| beyond_limit(arm, ServoJ::INFO.name, beyond))
     }
 
     /// Checks a set-point of the tool centre point, and returns its joint positions if they are known.
@@ -137,8 +137,8 @@ impl LimitChecks {
         let Some(checker) = self.checker() else { return Ok(None) };
         match (before, target) {
             (Some(before), Some(pose)) => {
-                let checked = checker.check_pose_set_point(before, pose, period.as_secs_f64());
-                checked.map(Some).map_err(|beyond| beyond_limit(arm, ServoP::INFO.name, beyond))
+                let result = checker.check_pose_set_point(before, pose, period.as_secs_f64());
+                result.map(Some).map_err(|beyond| beyond_limit(arm, ServoP::INFO.name, beyond))
             }
             (None, _) => Err(not_checked(arm, ServoP::INFO.name, Unchecked::Start)),
             (_, None) => Err(not_checked(arm, ServoP::INFO.name, Unchecked::Target)),
