@@ -52,8 +52,10 @@ impl Planned {
 
     /// Gives the motions up, which the arm may not have begun yet: true if there were some.
     pub(crate) fn give_up(&mut self) -> bool {
-        let had_motions = self.batch.take().is_some();
-        self.has_given_up |= had_motions;
+        let had_motions = self.has_motions();
+        if had_motions {
+            (self.batch, self.has_given_up) = (None, true);
+        }
         had_motions
     }
 
