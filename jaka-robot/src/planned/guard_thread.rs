@@ -47,16 +47,16 @@ impl GuardThread {
         if !self.armed.shut(blind) || is_relieved() {
             return None;
         }
-        let stopped = self.written(Some(&why)).unwrap_or_else(|| Stopped::new(&self.stop, Some(why)));
+        let stopped = self.written().unwrap_or_else(|| Stopped::new(&self.stop, Some(why)));
         self.took(&stopped.stop.accepted);
         Some(stopped)
     }
 
     /// The stop that the monitor's thread has written, if it has; it writes none any more. It was written because the
-    /// guard had tripped, if it has, whatever was seen since.
-    pub(super) fn written(&self, seen: Option<&Why>) -> Option<Stopped> {
+    /// guard had tripped, or a packet could not be judged, whatever was seen since.
+    pub(super) fn written(&self) -> Option<Stopped> {
         let written = self.armed.take_written()?;
-        let why = self.armed.trip().map(Why::Trip).or_else(|| seen.cloned());
+        let why = self.armed.trip().map(Why::Trip).or_else(|| self.armed.broken().map(Why::Blind));
         Some(Stopped { why, stop: self.stop.finish(written) })
     }
 

@@ -56,7 +56,7 @@ impl GuardedRun<'_> {
             // accepted, the wait has ended. A join knows nothing of a simulated clock.
             is_over.wait_for(Duration::MAX, |is_over| is_over.then_some(()));
             let stopped = watching.join().unwrap_or_default();
-            Ok::<_, Error>((result, stopped.or_else(|| guarding.written(None))))
+            Ok::<_, Error>((result, stopped.or_else(|| guarding.written())))
         })?;
         match (result, guarding.armed.trip()) {
             (Ok(end), _) => {

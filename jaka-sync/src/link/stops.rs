@@ -53,8 +53,6 @@ struct State {
     latch: Latch,
     rest: Rest,
     lead: Option<Lead>,
-    /// Last number of a session.
-    last_lead: u64,
     /// Time at which the first stop that waits for a session to brake goes out at the latest; `None` if none waits.
     goes_out_at: Option<Instant>,
     /// Stops that were entered and have no reply yet.
@@ -94,7 +92,6 @@ struct Rest {
 /// Session, stream or trajectory that moves the arm.
 #[derive(Debug)]
 struct Lead {
-    number: u64,
     by: Handle,
     /// Owner of its set-points.
     owner: Owner,
@@ -155,12 +152,12 @@ pub struct UnderWay {
 
 /// Lead of a session, until it is dropped.
 ///
-/// A session that has moved the arm keeps other commands back after its end, until the arm is seen at rest.
+/// A session that has moved the arm keeps other commands back after its end, until the arm is seen at rest. A
+/// connection has one at most.
 #[derive(Debug)]
 #[must_use = "a session leads the arm until this is dropped"]
 pub struct Leading {
     stops: Arc<Stops>,
-    number: u64,
 }
 
 impl Latch {
@@ -436,11 +433,10 @@ impl Stops {
         if state.needs_rest() {
             return Err(Kept::NotAtRest);
         }
-        state.last_lead += 1;
-        let (number, stops) = (state.last_lead, state.latch.begun);
-        state.lead = Some(Lead { number, by, owner, stops, set_point: None, has_moved: false, over: None });
+        let stops = state.latch.begun;
+        state.lead = Some(Lead { by, owner, stops, set_point: None, has_moved: false, over: None });
         drop(state);
-        Ok(Leading { stops: Arc::clone(self), number })
+        Ok(Leading { stops: Arc::clone(self) })
     }
 
     /// Waits while a session brakes. Does not wait for a session with an overdue set-point, because the arm has none to
@@ -514,7 +510,7 @@ impl Leading {
     /// The session sends its next set-point from this thread by `due`; `None` if it does not move the arm.
     pub fn expect_set_point(&self, due: Option<Instant>) {
         let mut state = self.stops.state.lock();
-        let Some(lead) = state.lead.as_mut().filter(|lead| lead.number == self.number) else { return };
+        let Some(lead) = state.lead.as_mut() else { return };
         let was_expected = lead.set_point.is_some();
         lead.set_point = due.map(|due| (due, thread::current().id()));
         lead.has_moved |= due.is_some();
@@ -526,7 +522,7 @@ impl Leading {
     /// Ends the lead of a session after which the arm was seen at rest.
     pub fn end_at_rest(self) {
         let mut state = self.stops.state.lock();
-        if let Some(lead) = state.lead.as_mut().filter(|lead| lead.number == self.number) {
+        if let Some(lead) = state.lead.as_mut() {
             lead.has_moved = false;
         }
     }
@@ -536,7 +532,7 @@ impl Drop for Leading {
     fn drop(&mut self) {
         let mut state = self.stops.state.lock();
         let state = &mut *state;
-        let Some(lead) = state.lead.as_mut().filter(|lead| lead.number == self.number) else { return };
+        let Some(lead) = state.lead.as_mut() else { return };
         if lead.has_moved {
             state.rest.events += 1;
             (lead.set_point, lead.over) = (None, Some(state.rest.events));
