@@ -207,11 +207,10 @@ impl SentRequests {
                 lost(request);
                 continue;
             }
-            if has_others
-                && request.recipient == Recipient::Nobody
-                && let Some(name) = self.names.get_mut(command)
-            {
-                name.doubtful = true;
+            if has_others && request.recipient == Recipient::Nobody {
+                if let Some(name) = self.names.get_mut(command) {
+                    name.doubtful = true;
+                }
             }
             if is_first {
                 let mut candidates = std::mem::take(&mut self.candidates);

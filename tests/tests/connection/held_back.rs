@@ -91,7 +91,8 @@ fn a_wait_takes_no_packet_of_a_silence_for_news() {
 fn the_next_packet_is_none_that_was_held_back() {
     let clock = SimulatedClock::new();
     let (mut controller, monitor) = connected(&clock);
-    let all = monitor.subscribe(1000);
+    let count = || monitor.statistics().packets + monitor.statistics().skipped;
+    let (all, before) = (monitor.subscribe(1000), count());
     let act = || {
         controller.write_for(PERIOD * 4, false);
         controller.held = Some(Vec::new());
@@ -108,6 +109,7 @@ fn the_next_packet_is_none_that_was_held_back() {
     clock.sleep(PERIOD);
     let taken: Vec<_> = std::iter::from_fn(|| all.try_next_packet()).collect();
     assert!(taken.len() >= 4 + 30 + 10 - 1, "{}", taken.len());
+    assert_eq!(count() - before, taken.len() as u64, "{:?}", monitor.statistics());
     for packet in &taken {
         let written = Duration::from_secs_f64(packet.status.rapid_rate.expect("each packet has its time"));
         let was_held = written >= PERIOD * 4 && written < PERIOD * 4 + HELD;

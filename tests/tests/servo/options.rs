@@ -29,6 +29,14 @@ fn assert_not_moved(arm: &Arm) {
 }
 
 #[test]
+fn an_option_leaves_the_others_as_they_are() {
+    let config = ServoConfig::new().step_count(4);
+    let waits = config.clone().busy_wait(Duration::from_micros(200));
+    assert_eq!(waits.period(), Duration::from_millis(32));
+    assert_ne!(waits, config);
+}
+
+#[test]
 fn an_option_of_a_servo_session_is_named() {
     let (arm, mut robot) = arm().with_robot();
     let (servo, config) = (ServoConfig::new, SessionConfig::new);
