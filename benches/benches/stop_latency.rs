@@ -123,68 +123,65 @@ fn measure(stops: u32, load: Load) -> Result<Samples, Failure> {
 
 /// Times of the stops of a robot that takes packets at 1 kHz, with a program's observer that takes a time for each.
 fn beside_packets(stops: u32, observer: Duration) -> Result<Samples, Failure> {
-    let (commands, status) = (TcpListener::bind("127.0.0.1:0")?, TcpListener::bind("127.0.0.1:0")?);
-    let (client, monitor) = (Client::connect(commands.local_addr()?)?, Monitor::connect(status.local_addr()?)?);
-    monitor.observe(move |_| {
-        thread::sleep(observer);
-        ControlFlow::Continue(())
-    });
-    let (arrived, arrivals) = mpsc::channel();
-    let (peer, mut packets) = (commands.accept()?.0, status.accept()?.0);
-    packets.set_nodelay(true)?;
-    let witness = thread::spawn(move || watch(peer, &arrived));
-    let sending = thread::spawn(move || {
-        while packets.write_all(PACKET).is_ok() {
-            thread::sleep(Duration::from_millis(1));
-        }
-    });
-    let robot = Robot::new(client, monitor).expect("it is the only robot");
-    let stop = robot.stop_handle();
-    let samples = times(stops, || stop.stop(), &arrivals);
-    drop(robot);
-    sending.join().map_err(|_| "the packets' thread panicked")?;
-    witness.join().map_err(|_| "the witness panicked")??;
-    samples
+    with_robot(Duration::from_millis(1), watch, |robot, arrivals| {
+        robot.monitor().observe(move |_| {
+            thread::sleep(observer);
+            ControlFlow::Continue(())
+        });
+        let stop = robot.stop_handle();
+        times(stops, || stop.stop(), arrivals)
+    })
 }
 
 /// Times of the stops of a session whose set-points move all joints at one speed. Each begins at another moment of the
 /// period.
 fn in_session(stops: u32) -> Result<Samples, Failure> {
+    with_robot(Duration::from_millis(8), watch_session, |mut robot, arrivals| {
+        let (stop, mut samples) = (robot.stop_handle(), Samples::default());
+        for number in 0..stops {
+            robot.acknowledge();
+            let mut session = robot.enter_servo_mode(ServoConfig::new())?;
+            let moment = Duration::from_micros(100_000 + u64::from(number) * 1700 % 8000);
+            let called = thread::scope(|scope| {
+                let stopping = scope.spawn(|| {
+                    thread::sleep(moment);
+                    let called = Instant::now();
+                    stop.stop().map(|()| called)
+                });
+                let offsets = (1..).map(|cycle| [(f64::from(cycle) * GAIN).min(STEP); 6]);
+                let mut ends = offsets.filter_map(|offset| session.send_joint_offset(offset).err());
+                ends.next();
+                // Brakes. Its errors are the stop, and the rest that these packets do not show.
+                drop(session.land());
+                stopping.join().map_err(|_| "the stop panicked")
+            })??;
+            samples.push(arrivals.recv()?.saturating_duration_since(called));
+        }
+        Ok(samples)
+    })
+}
+
+/// Gives `act` a robot whose requests `witness` gets, and that takes a packet each period.
+fn with_robot(
+    period: Duration,
+    witness: fn(TcpStream, &Sender<Instant>) -> Result<(), Failure>,
+    act: impl FnOnce(Robot, &Receiver<Instant>) -> Result<Samples, Failure>,
+) -> Result<Samples, Failure> {
     let (commands, status) = (TcpListener::bind("127.0.0.1:0")?, TcpListener::bind("127.0.0.1:0")?);
     let (client, monitor) = (Client::connect(commands.local_addr()?)?, Monitor::connect(status.local_addr()?)?);
     let (arrived, arrivals) = mpsc::channel();
     let (peer, mut packets) = (commands.accept()?.0, status.accept()?.0);
-    let witness = thread::spawn(move || watch_session(peer, &arrived));
+    packets.set_nodelay(true)?;
+    let witness = thread::spawn(move || witness(peer, &arrived));
     let sending = thread::spawn(move || {
         while packets.write_all(PACKET).is_ok() {
-            thread::sleep(Duration::from_millis(8));
+            thread::sleep(period);
         }
     });
-    let mut robot = Robot::new(client, monitor).expect("it is the only robot");
-    let (stop, mut samples) = (robot.stop_handle(), Samples::default());
-    for number in 0..stops {
-        robot.acknowledge();
-        let mut session = robot.enter_servo_mode(ServoConfig::new())?;
-        let moment = Duration::from_micros(100_000 + u64::from(number) * 1700 % 8000);
-        let called = thread::scope(|scope| {
-            let stopping = scope.spawn(|| {
-                thread::sleep(moment);
-                let called = Instant::now();
-                stop.stop().map(|()| called)
-            });
-            let offsets = (1..).map(|cycle| [(f64::from(cycle) * GAIN).min(STEP); 6]);
-            let mut ends = offsets.filter_map(|offset| session.send_joint_offset(offset).err());
-            ends.next();
-            // Brakes. Its errors are the stop, and the rest that these packets do not show.
-            drop(session.land());
-            stopping.join().map_err(|_| "the stop panicked")
-        })??;
-        samples.push(arrivals.recv()?.saturating_duration_since(called));
-    }
-    drop(robot);
+    let samples = act(Robot::new(client, monitor).expect("it is the only robot"), &arrivals);
     sending.join().map_err(|_| "the packets' thread panicked")?;
     witness.join().map_err(|_| "the witness panicked")??;
-    Ok(samples)
+    samples
 }
 
 fn times<E: Error + Send + Sync + 'static>(

@@ -11,7 +11,7 @@ pub(crate) fn spec() -> &'static Spec {
     &BUILTIN
 }
 
-/// Whether packs leave the request and the reply of a command in their built-in form.
+/// True if packs leave the request and the reply of a command in their built-in form.
 pub(crate) fn is_unchanged(spec: &Spec, command: &str) -> bool {
     let translation = Translation::new(self::spec(), spec);
     translation.is_identity(Message::Request(command)) && translation.is_identity(Message::Reply(command))

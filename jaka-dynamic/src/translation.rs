@@ -59,7 +59,7 @@ impl<'s> Translation<'s> {
         self.members(from, to, members)
     }
 
-    /// Whether a message of the first spec is the same message of the second: with the same keys, types and units, and
+    /// True if a message of the first spec is the same message of the second: with the same keys, types and units, and
     /// no further required field.
     pub fn is_identity(&self, message: Message<'_>) -> bool {
         self.parts_of(message).into_iter().all(|(from, to)| {

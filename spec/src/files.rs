@@ -50,7 +50,7 @@ pub fn text_of(source: impl Read) -> io::Result<String> {
 /// Reads a source to its end.
 ///
 /// # Errors
-/// Those of the source; [`io::ErrorKind::FileTooLarge`] if it has more bytes.
+/// The errors of the source; [`io::ErrorKind::FileTooLarge`] if it has more bytes.
 pub fn read_at_most(source: impl Read, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut source = source.take(most);

@@ -68,7 +68,7 @@ pub(crate) struct UnderWay(Arc<Mutex<Progress>>);
 #[derive(Debug, Default)]
 struct Progress {
     stage: Stage,
-    /// Whether Ctrl-C has stopped the arm: a stop was sent, or the arm is braked along a trajectory.
+    /// True if Ctrl-C has stopped the arm: a stop was sent, or the arm is braked along a trajectory.
     is_stopped: bool,
 }
 
@@ -107,7 +107,7 @@ impl UnderWay {
         self.lock().stage = stage;
     }
 
-    /// Whether Ctrl-C has stopped the arm.
+    /// True if Ctrl-C has stopped the arm.
     pub(crate) fn is_stopped(&self) -> bool {
         self.lock().is_stopped
     }

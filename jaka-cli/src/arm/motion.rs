@@ -96,12 +96,12 @@ pub(crate) fn at_rest(
     }
 }
 
-/// Whether the end of a trajectory says that the arm is at rest, by packets alone, which may be old.
+/// True if the end of a trajectory says that the arm is at rest, by packets alone, which may be old.
 fn is_claimed(end: &End) -> bool {
     says_rest(end) && end.rest == Rest::Packets
 }
 
-/// Whether the text of an end says whether the arm is at rest.
+/// True if the text of an end says whether the arm is at rest.
 fn says_rest(end: &End) -> bool {
     end.report.trajectory.is_some() && end.cause() != Cause::Reached
 }

@@ -167,7 +167,7 @@ fn as_built_in(spec: &Spec, packet: &Map<String, Value>) -> Map<String, Value> {
     builtin::spec().status_fields().iter().filter_map(member).collect()
 }
 
-/// Whether a field is read as the built-in one: key, type, unit, and all parts of the type.
+/// True if a field is read as the built-in one: key, type, unit, and all parts of the type.
 fn is_as_built_in(spec: &Spec, field: &Field, known: &Field) -> bool {
     let is_same = (&known.wire, &known.ty, &known.unit) == (&field.wire, &field.ty, &field.unit);
     is_same && spec.defines_as(builtin::spec(), &field.ty)

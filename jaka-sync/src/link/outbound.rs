@@ -117,7 +117,7 @@ impl Link {
             };
         }
         state.count_changes(outgoing, outbound.requests.len() as u64);
-        self.stops.entered(&outbound.requests, outgoing);
+        self.stops.entered(outbound.requests.iter().map(|(_, request)| *request), outgoing);
     }
 
     /// Writes the composed requests until the deadline, and returns the number of bytes that the system has taken.

@@ -267,7 +267,7 @@ impl Stops {
     }
 
     /// Records that commands were entered into the exchange as these requests.
-    pub(super) fn entered(&self, requests: &[(usize, RequestId)], outgoing: &Outgoing<'_>) {
+    pub(super) fn entered(&self, requests: impl ExactSizeIterator<Item = RequestId>, outgoing: &Outgoing<'_>) {
         if !outgoing.may_move() && outgoing.stop.is_none() {
             return;
         }
@@ -276,7 +276,7 @@ impl Stops {
             state.moves += requests.len() as u64;
         }
         if let Some(number) = outgoing.stop {
-            state.unanswered.extend(requests.iter().map(|(_, request)| (*request, number)));
+            state.unanswered.extend(requests.map(|request| (request, number)));
         }
     }
 

@@ -87,7 +87,7 @@ fn strays(read: &Words<'_>) -> Vec<usize> {
     places
 }
 
-/// Whether the line itself names the robot.
+/// True if the line itself names the robot.
 fn is_explicit(read: &Words<'_>) -> bool {
     read.value("robot").is_some()
 }

@@ -51,7 +51,7 @@ fn join<T>(thread: JoinHandle<T>) -> T {
 fn answer(stops: &Stops, stop: &UnderWay, is_accepted: bool) {
     let request = RequestId::default();
     let outgoing = Outgoing::of(stops.clock(), StopProgram::INFO, LONGEST_BRAKING);
-    stops.entered(&[(0, request)], &outgoing.of_stop(stop.number(), stops.clock().stopwatch()));
+    stops.entered([request].into_iter(), &outgoing.of_stop(stop.number(), stops.clock().stopwatch()));
     stops.answered(request, is_accepted);
     if !is_accepted {
         stop.failed();

@@ -27,7 +27,7 @@ fn a_stop_is_accepted_whose_reply_comes_after_that_to_a_later_request() {
     let outgoing = Outgoing::of(stops.clock(), StopProgram::INFO, Duration::MAX);
     let outgoing = outgoing.of_stop(stop.number(), stops.clock().stopwatch());
     let request = exchange.send(Owner(0), Support::Everywhere, "stop_program".into());
-    stops.entered(&[(0, request)], &outgoing);
+    stops.entered([request].into_iter(), &outgoing);
     let later = exchange.send(Owner(0), Support::Uncertain, "x".into());
     stops.answered(later, false);
     stops.answered(request, true);

@@ -1,6 +1,6 @@
 //! A user's crate as cargo builds it: an edit of its pack is noticed, and a program that makes every request by its
 //! constructor compiles against a spec in which ten commands have an optional field more. They compile jaka-sync again,
-//! so that `.ci/run` runs them alone.
+//! so that `.ci/nightly` runs them alone.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -214,7 +214,7 @@ fn copy(from: &Path, to: &Path) {
 }
 
 #[test]
-#[ignore = "a step of .ci/run"]
+#[ignore = "a step of .ci/nightly"]
 fn an_edit_of_a_pack_is_noticed() {
     let user = UserCrate::new("edited", "2024", "jaka_sync::pack!(\"newer.toml\");\n").with_workspace(workspace());
     user.write("newer.toml", PACK);
@@ -234,7 +234,7 @@ fn an_edit_of_a_pack_is_noticed() {
 }
 
 #[test]
-#[ignore = "a step of .ci/run"]
+#[ignore = "a step of .ci/nightly"]
 fn a_program_compiles_after_ten_commands_have_got_an_optional_field() {
     let spec = jaka_spec::builtin().expect("the spec is correct");
     let folder = copied("grown");
