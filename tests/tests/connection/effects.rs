@@ -1,61 +1,50 @@
-//! Each command of the spec does something: a query gives back a setting, port 10000 shows a motion, a wrong state is
-//! refused.
+//! Each command of the spec does something: what is set is shown, and commands beyond the document are answered.
 //!
-//! A module for each topic of the document lists its commands with the test of each. These lists are written by hand,
-//! so that no command of the document loses its test unnoticed; the document is complete, so they do not grow. Settings
-//! that a query gives back are taken from the spec, and so are commands beyond the document, whose examples are sent.
-//! Time goes on when a test says so.
+//! `planned/motion.rs` has the effects of motions, and `jaka-sim/tests/commands.rs` those of all commands, as bytes.
 
-#[macro_use]
-mod arm;
 mod beyond;
-mod collision;
-mod force;
-mod frames;
-mod io;
-mod kinematics;
-mod motion;
-mod network;
-mod payload;
-mod power;
-mod program;
-mod remembered;
-mod servo;
-mod session;
-mod torque_sensor;
-mod trajectory;
-mod variables;
+mod pairs;
 
-use jaka_sync::proto::Request;
+use jaka_spec::{Command, Effect};
+use jaka_sync::proto::wire::Writer;
+use jaka_sync::proto::{self, Request, Visit, write_reply};
+use jaka_sync::{Client, Error};
+use jaka_tests::spec;
+use serde_json::Value;
 
-/// The commands of the document that have a test, by topic.
-const COVERED: &[&[&str]] = &[
-    power::COVERED,
-    motion::COVERED,
-    servo::COVERED,
-    program::COVERED,
-    io::COVERED,
-    frames::COVERED,
-    variables::COVERED,
-    payload::COVERED,
-    collision::COVERED,
-    kinematics::COVERED,
-    trajectory::COVERED,
-    force::COVERED,
-    torque_sensor::COVERED,
-    network::COVERED,
-    session::COVERED,
-];
+/// Calls a command, and returns its reply as the document would print it.
+struct Call<'c>(&'c mut Client);
 
+impl Visit for Call<'_> {
+    type Output = Result<Value, Error>;
+
+    fn visit<C: proto::Command>(self, command: &C) -> Self::Output {
+        let mut out = Writer::new();
+        write_reply(C::INFO, &self.0.call(command)?, &mut out);
+        Ok(serde_json::from_str(out.as_str()).expect("a reply is JSON"))
+    }
+}
+
+/// Calls the command of a request, which goes out as the client writes it.
+pub(crate) fn call(client: &mut Client, request: &str) -> Result<Value, Error> {
+    let request = Request::read(request).unwrap_or_else(|error| panic!("{request}: {error}"));
+    request.visit(Call(client))
+}
+
+/// The simulator's tests compare all queries without parameters with the document's replies.
 #[test]
-fn each_command_of_the_document_has_one_test() {
-    let of_document = Request::COMMANDS.iter().filter(|info| !info.section.is_empty());
-    let mut all: Vec<_> = of_document.map(|info| info.name).collect();
-    let mut covered = COVERED.concat();
-    // Those whose pair the spec names need no row, and may have one for more than that they are remembered.
-    let remembered: Vec<_> = remembered::covered().into_iter().filter(|name| !covered.contains(name)).collect();
-    covered.extend(remembered.into_iter().filter(|name| all.contains(name)));
-    covered.sort_unstable();
-    all.sort_unstable();
-    assert_eq!(covered, all);
+fn each_command_of_the_document_has_a_test() {
+    let tests = [
+        include_str!("../../../jaka-sim/tests/commands.rs"),
+        include_str!("../planned/motion.rs"),
+        include_str!("exchange.rs"),
+        include_str!("foreign_clients/transcripts.jsonl"),
+    ];
+    let is_bare_query = |command: &Command| command.effect == Effect::Query && command.is_bare();
+    for command in spec().commands().filter(|command| command.section.is_some() && !is_bare_query(command)) {
+        let (wire, method) = (&command.wire, &command.name);
+        let names = [format!("\"{wire}\""), format!("\\\"{wire}\\\""), format!(".{method}(")];
+        let is_named = tests.iter().any(|test| names.iter().any(|name| test.contains(name)));
+        assert!(is_named || pairs::covered().contains(wire), "{wire}");
+    }
 }

@@ -5,14 +5,10 @@ use std::thread;
 use std::time::Duration;
 
 use jaka_sim::{Fault, SimulatedClock};
-use jaka_sync::io::SetDigitalOutput;
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::motion::JointMove;
 use jaka_sync::program::StopProgram;
-use jaka_sync::types::Switch;
-use jaka_sync::{
-    AdvisoryRanges, Client, Command, CommandInfo, Config, Error, ErrorCode, ErrorKind, StatusStream, StopHandle,
-};
+use jaka_sync::{Client, Config, Error, ErrorCode, StatusStream, StopHandle};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, ClockedSocket, LONG, accepted};
 use serde_json::{Value, json};
@@ -37,56 +33,6 @@ fn a_refused_motion_is_an_error_with_the_controllers_own_words() {
     let refusal = error.refusal().expect("the controller refuses");
     assert_eq!((refusal.code, refusal.message.as_str()), (ErrorCode(2), "call joint_move failed"));
     assert!(!error.may_have_run() && !error.is_disconnected());
-}
-
-#[test]
-fn a_motion_moves_the_simulated_arm() {
-    let (controller, mut client) = Arm::stepped().with_client();
-    let before = client.get_joint_pos().expect("it answers").joint_position;
-    client.joint_move(&one_degree()).expect("the arm is enabled");
-    assert_eq!(client.get_joint_pos().expect("it answers").joint_position, before);
-    controller.advance(Duration::from_secs(1));
-    let after = client.get_joint_pos().expect("it answers").joint_position;
-    assert!((after.0[0] - before.0[0] - 1.0).abs() < 1e-9);
-}
-
-#[test]
-fn the_bytes_of_a_request_are_the_documents() {
-    let (controller, mut client) = Arm::simulated().with_client();
-    client.joint_move(&one_degree()).expect("the arm is enabled");
-    client.stop_program().expect("it answers");
-    client.get_joint_pos().expect("it answers");
-    assert_eq!(
-        controller.requests(),
-        [
-            r#"{"cmdName":"joint_move","relFlag":1,"jointPosition":[1,0,0,0,0,0],"speed":10}"#,
-            r#"{"cmdName":"stop_program"}"#,
-            r#"{"cmdName":"get_joint_pos"}"#,
-        ]
-    );
-}
-
-#[test]
-fn code_can_be_generic_over_the_command() {
-    fn twice<C: Command>(client: &mut Client, command: &C) -> Result<(C::Reply, C::Reply), Error> {
-        Ok((client.call(command)?, client.call(command)?))
-    }
-    let (_controller, mut client) = connected();
-    let (first, second) = twice(&mut client, &GetJointPos::new()).expect("it answers");
-    assert_eq!(first, second);
-}
-
-#[test]
-fn ranges_of_newer_firmware_can_be_switched_off() {
-    let (controller, mut strict) = connected();
-    let relay = SetDigitalOutput::relay(1, Switch::On);
-    let error = strict.set_digital_output(&relay).expect_err("the relay is of newer firmware");
-    assert!(error.to_string().contains("this is advisory"), "{error}");
-    drop(strict);
-    let config = controller.config().advisory_ranges(AdvisoryRanges::Ignored);
-    let mut open = Client::connect_with(&config, controller.command_addr()).expect("the controller listens");
-    open.set_digital_output(&relay).expect("it is left to the controller");
-    assert!(open.set_rapid_rate(1.5).is_err_and(|error| error.is_invalid_argument()));
 }
 
 #[test]
@@ -142,17 +88,6 @@ fn shutdown_succeeds_with_a_reply_and_with_a_controller_that_just_goes_away() {
 }
 
 #[test]
-fn a_deadline_of_ones_own() {
-    let (controller, mut client) = connected();
-    controller.inject(Fault::Drop);
-    let timeout = Duration::from_millis(20);
-    let began = controller.clock().elapsed();
-    let error = client.call_within(&GetJointPos::new(), timeout).expect_err("no reply comes");
-    assert!(matches!(error.kind(), ErrorKind::Timeout { after, .. } if *after == timeout));
-    assert_eq!(controller.clock().elapsed().saturating_sub(began), timeout);
-}
-
-#[test]
 fn a_stop_handle_stops_while_a_call_waits() {
     let (controller, mut client) = Arm::real_time().with_client();
     let stop = client.stop_handle();
@@ -165,52 +100,6 @@ fn a_stop_handle_stops_while_a_call_waits() {
     let mut client = moving.join().expect("the thread does not panic").expect("the motion was accepted");
     assert_eq!(controller.requests().last().map(String::as_str), Some(r#"{"cmdName":"stop_program"}"#));
     client.get_version().expect("the connection works");
-}
-
-#[test]
-fn a_call_whose_reply_is_lost_learns_it_from_the_stop() {
-    let (controller, mut client) = Arm::real_time().with_client();
-    let stop = client.stop_handle();
-    controller.inject(Fault::Drop);
-    let sent = controller.requests().len();
-    let moving = thread::spawn(move || (client.joint_move(&one_degree()), client));
-    assert!(controller.wait_for_requests(sent + 1, LONG));
-    stop.stop().expect("the controller takes the stop");
-    let (moved, mut client) = moving.join().expect("the thread does not panic");
-    let error = moved.expect_err("its reply is lost");
-    assert!(error.may_have_run() && !error.is_disconnected());
-    assert_eq!(error.to_string(), "`joint_move` may have run, but its reply was lost: a later command was answered");
-    client.get_version().expect("the connection works");
-}
-
-#[test]
-fn stop_handles_work_while_no_call_waits_and_concurrently() {
-    let (controller, client) = Arm::real_time().with_client();
-    let stop = client.stop_handle();
-    let threads: Vec<_> = (0..8)
-        .map(|_| {
-            let stop: StopHandle = stop.clone();
-            thread::spawn(move || (0..50).try_for_each(|_| stop.stop()))
-        })
-        .collect();
-    for thread in threads {
-        thread.join().expect("the thread does not panic").expect("each stop is answered");
-    }
-    assert_eq!(controller.requests().iter().filter(|request| request.contains("stop_program")).count(), 400);
-    drop(client);
-}
-
-#[test]
-fn stops_during_calls_each_get_their_own_reply() {
-    let (controller, mut client) = Arm::real_time().with_client();
-    let stop = client.stop_handle();
-    let stopping = thread::spawn(move || (0..300).try_for_each(|_| stop.stop()));
-    for n in 0..300 {
-        let position = [f64::from(n); 6];
-        controller.set_state(|state| state.joint_position = position.into());
-        assert_eq!(client.get_joint_pos().expect("it answers").joint_position, position.into());
-    }
-    stopping.join().expect("the thread does not panic").expect("each stop is answered");
 }
 
 #[test]
@@ -251,67 +140,9 @@ fn handles_can_move_and_be_shared_between_threads() {
     assert_send::<StatusStream>();
     assert_send::<Error>();
     assert_sync::<Error>();
-}
-
-/// A client whose query was answered while a stop was given up: what comes after the answer has been read with it.
-fn read_ahead(after: &str) -> (ClockedSocket, Client, StopHandle) {
-    let clock = SimulatedClock::new();
-    let hasty = Config::new().clock(&clock).reply_timeout(Duration::from_millis(20));
-    let (mut server, mut client) = ClockedSocket::accepted(&clock, |address| Client::connect_with(&hasty, address));
-    let stop = client.stop_handle();
-    let query = format!("{{\"cmdName\":\"{}\"}}", GetJointPos::INFO.name);
-    let ask = || {
-        client.call_text(&query, LONG).expect("it is answered");
-    };
-    beside(&clock, ask, || {
-        server.read_exact(&mut vec![0; query.len()]).expect("the query is sent");
-        assert!(stop.stop().expect_err("nobody answers").is_timeout());
-        server.write_all(format!("{}{after}", reply_to(GetJointPos::INFO)).as_bytes()).expect("the client reads");
-    });
-    (server, client, stop)
-}
-
-fn reply_to(command: &CommandInfo) -> String {
-    format!("{{\"errorCode\":\"0\",\"errorMsg\":\"\",\"cmdName\":\"{}\"}}", command.name)
-}
-
-#[test]
-fn a_late_reply_that_was_read_before_leaves_no_doubt_about_the_next_command_of_its_name() {
-    let (_server, client, stop) = read_ahead(&reply_to(StopProgram::INFO));
-    assert!(stop.stop().expect_err("nobody answers").is_timeout());
-    assert!(client.disconnect_cause().is_none());
-}
-
-#[test]
-fn a_copy_of_a_reply_that_was_read_before_is_not_given_to_the_next_command_of_its_name() {
-    let (_server, mut client, _stop) = read_ahead(&reply_to(GetJointPos::INFO));
-    let error = client.get_joint_pos().expect_err("no request is outstanding");
-    assert!(error.is_disconnected() && !error.may_have_run(), "{error:?}");
-}
-
-#[test]
-fn the_thread_that_reads_tells_the_others_that_their_replies_are_lost() {
-    let (mut server, mut client) = accepted(|address| Client::connect_with(&patient(), address));
-    let request = |info: &CommandInfo| format!("{{\"cmdName\":\"{}\"}}", info.name);
-    let stops = [client.stop_handle(), client.stop_handle()].map(|stop| thread::spawn(move || stop.stop()));
-    server.read_exact(&mut vec![0; 2 * request(StopProgram::INFO).len()]).expect("both stops are sent");
-    let query = request(GetJointPos::INFO);
-    let length = query.len();
-    let calling = thread::spawn(move || client.call_text(&query, LONG).map(str::to_owned));
-    server.read_exact(&mut vec![0; length]).expect("the query is sent");
-    server.write_all(reply_to(GetJointPos::INFO).as_bytes()).expect("the client reads");
-    calling.join().expect("the thread does not panic").expect("it is answered");
-    for stop in stops {
-        let error = stop.join().expect("the thread does not panic").expect_err("its reply was passed over");
-        assert!(matches!(error.kind(), ErrorKind::ReplyLost { .. }), "{error:?}");
-    }
-}
-
-#[test]
-fn a_listener_that_closes_immediately() {
-    let (server, mut client) = accepted(|address| Client::connect_with(&patient(), address));
-    drop(server);
-    assert!(client.get_version().is_err_and(|error| error.is_disconnected()));
+    assert_send::<jaka_robot::Robot>();
+    assert_send::<jaka_robot::RobotStop>();
+    assert_sync::<jaka_robot::RobotStop>();
 }
 
 #[test]
@@ -362,22 +193,10 @@ fn a_call_ends_at_its_deadline_although_the_peer_reads_slowly() {
 }
 
 #[test]
-fn status_packets_on_the_command_connection_are_distinguished_from_replies() {
-    let controller = Arm::simulated().start();
-    let mut client =
-        Client::connect_with(&controller.config(), controller.status_addr()).expect("the controller listens");
-    let error = client.get_version().expect_err("it is the status port");
-    let source = std::error::Error::source(&error).expect("the cause is told");
-    assert_eq!(
-        source.to_string(),
-        "received a status packet instead of a reply: this is the status port; commands go to port 10001"
-    );
-}
-
-#[test]
 fn replies_on_the_status_connection_are_distinguished_from_packets() {
     let (mut server, mut status) = accepted(|address| StatusStream::connect_with(&patient(), address));
-    server.write_all(reply_to(GetJointPos::INFO).as_bytes()).expect("the stream reads");
+    let reply = br#"{"errorCode":"0","errorMsg":"","cmdName":"get_joint_pos"}"#;
+    server.write_all(reply).expect("the stream reads");
     let error = status.newest_packet().expect_err("it is not a status port");
     let source = std::error::Error::source(&error).expect("the cause is told");
     assert_eq!(

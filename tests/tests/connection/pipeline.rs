@@ -1,7 +1,6 @@
 //! Pipelines: commands that do not wait for one another's replies.
 
 use std::io::{Read, Write};
-use std::thread;
 use std::time::Duration;
 
 use jaka_sim::{Controller, Fault, SimulatedClock};
@@ -12,7 +11,7 @@ use jaka_sync::servo::ServoJ;
 use jaka_sync::types::Switch;
 use jaka_sync::{Client, Config, ErrorKind, Recorder};
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, ClockedSocket, LONG};
+use jaka_tests::{Arm, ClockedSocket};
 
 /// Reply timeout where no reply comes.
 const SHORT: Duration = Duration::from_millis(300);
@@ -40,11 +39,6 @@ fn unanswered(clock: &SimulatedClock) -> (ClockedSocket, Client) {
     };
     beside(clock, answer, || client.set_digital_output(&output(0)).expect("it is answered"));
     (server, client)
-}
-
-/// A controller in simulated time, and a client with a short reply timeout.
-fn impatient() -> (Arm, Client) {
-    Arm::simulated().without_power().config(|config| config.reply_timeout(SHORT)).with_client()
 }
 
 fn output(index: i64) -> SetDigitalOutput {
@@ -127,23 +121,6 @@ fn one_wrong_command_keeps_all_those_of_its_call_from_being_sent() {
     assert_eq!(controller.requests(), Vec::<String>::new());
 }
 
-#[test]
-fn a_refusal_is_told_once_by_a_later_call_and_the_rest_goes_on() {
-    let (controller, mut client) = connected();
-    let mut pipeline = client.pipeline(4);
-    let mut told = Vec::new();
-    for number in 0..20 {
-        let sent = if number == 3 { pipeline.send(&set_point()) } else { pipeline.send(&output(1)) };
-        told.extend(sent.err());
-    }
-    let accepted = pipeline.finish();
-    assert_eq!(told.len(), 1, "{told:?} {accepted:?}");
-    assert_eq!(told[0].refusal().expect("the controller refuses").command, "servo_j");
-    // The call that reported the refusal sent nothing.
-    assert_eq!((accepted.expect("all is told"), controller.requests().len()), (18, 19));
-    assert_usable(&controller, &mut client);
-}
-
 /// So the pipeline never waits for room.
 #[test]
 fn a_refusal_that_another_thread_has_read_is_told_by_the_next_call() {
@@ -160,103 +137,6 @@ fn a_refusal_that_another_thread_has_read_is_told_by_the_next_call() {
 }
 
 #[test]
-fn what_was_not_reported_before_is_reported_at_the_end() {
-    let (controller, mut client) = connected();
-    let mut pipeline = client.pipeline(8);
-    pipeline.send(&set_point()).expect("it is not known yet");
-    assert!(pipeline.finish().expect_err("the controller refuses").is_refused());
-    assert_usable(&controller, &mut client);
-}
-
-#[test]
-fn a_lost_reply_is_reported() {
-    let (controller, mut client) = tried();
-    controller.inject(Fault::Drop);
-    let mut pipeline = client.pipeline(8);
-    pipeline.send(&output(1)).expect("it is not known yet");
-    pipeline.send(&SetRapidRate::new(0.5)).expect("it is not known yet");
-    let error = pipeline.finish().expect_err("a later command was answered");
-    assert!(
-        matches!(error.kind(), ErrorKind::ReplyLost { command, .. } if command == "set_digital_output"),
-        "{error:?}"
-    );
-    assert_usable(&controller, &mut client);
-}
-
-#[test]
-fn a_reply_that_is_not_there_in_time_is_a_timeout_and_is_discarded_later() {
-    let (controller, mut client) = impatient();
-    controller.inject(Fault::Hold);
-    let mut pipeline = client.pipeline(8);
-    pipeline.send(&output(1)).expect("it is not known yet");
-    let error = pipeline.finish().expect_err("the reply is held back");
-    assert!(error.is_timeout() && error.may_have_run(), "{error:?}");
-    controller.release();
-    assert_usable(&controller, &mut client);
-}
-
-#[test]
-fn answers_that_were_not_waited_for_are_discarded() {
-    let (controller, mut client) = connected();
-    let mut pipeline = client.pipeline(8);
-    for index in 0..5 {
-        pipeline.send(&output(index)).expect("it is not known yet");
-    }
-    drop(pipeline);
-    client.set_digital_output(&output(6)).expect("the replies before it are dropped");
-    assert_eq!(client.pipeline(1).finish().expect("nothing was sent"), 0);
-    assert_usable(&controller, &mut client);
-}
-
-#[test]
-fn a_broken_connection_is_reported_immediately_and_again() {
-    let (controller, mut client) = connected();
-    controller.inject(Fault::Close);
-    let mut pipeline = client.pipeline(1);
-    pipeline.send(&output(1)).expect("it is not known yet");
-    let error = pipeline.send(&output(2)).expect_err("the controller closes");
-    assert!(error.is_disconnected() && error.may_have_run(), "{error:?}");
-    assert!(pipeline.finish().is_err_and(|error| error.is_disconnected()));
-    assert!(client.get_version().is_err_and(|error| error.is_disconnected() && !error.may_have_run()));
-}
-
-#[test]
-fn stops_from_another_thread_get_their_own_replies() {
-    let (controller, mut client) = connected();
-    let stop = client.stop_handle();
-    let stopping = thread::spawn(move || (0..100).try_for_each(|_| stop.stop()));
-    let mut pipeline = client.pipeline(16);
-    for index in 0..1000 {
-        pipeline.send(&output(index % 8)).expect("nothing is refused");
-    }
-    assert_eq!(pipeline.finish().expect("nothing is refused"), 1000);
-    stopping.join().expect("it does not panic").expect("the controller stops");
-    assert_eq!(controller.requests().len(), 1100);
-    assert_usable(&controller, &mut client);
-}
-
-#[test]
-fn an_answer_that_another_thread_has_read_is_not_waited_for() {
-    let (controller, mut client) = Arm::simulated().with_client();
-    let stop = client.stop_handle();
-    // The thread of the stop reads both replies at once, and looks at its own.
-    controller.inject(Fault::WithNext);
-    beside(
-        controller.clock(),
-        || stop.stop().expect("the controller stops"),
-        || {
-            assert!(controller.wait_for_requests(1, LONG));
-            let began = controller.clock().elapsed();
-            let mut pipeline = client.pipeline(8);
-            pipeline.send(&output(1)).expect("it is not known yet");
-            assert_eq!(pipeline.finish().expect("it was accepted"), 1);
-            assert_eq!(controller.clock().elapsed(), began);
-        },
-    );
-    assert_usable(&controller, &mut client);
-}
-
-#[test]
 fn pipelines_that_are_dropped_again_and_again_are_no_evidence_of_lost_replies() {
     let (controller, mut client) = connected();
     let stop = client.stop_handle();
@@ -270,16 +150,6 @@ fn pipelines_that_are_dropped_again_and_again_are_no_evidence_of_lost_replies() 
     stop.stop().expect("the connection lives");
     assert_eq!(controller.requests().len(), 50 * 9 + 1);
     assert_usable(&controller, &mut client);
-}
-
-#[test]
-fn a_reply_that_is_lost_after_dropped_pipelines_is_still_noticed() {
-    let (controller, mut client) = impatient();
-    controller.inject(Fault::Drop);
-    client.pipeline(8).send(&output(1)).expect("it is not known yet");
-    // The reply of the next one completes what was dropped, and none comes for itself.
-    let error = client.set_digital_output(&output(2)).expect_err("one of two replies is lost");
-    assert!(error.is_disconnected() && error.may_have_run(), "{error:?}");
 }
 
 #[test]

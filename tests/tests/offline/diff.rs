@@ -49,11 +49,13 @@ fn lines(changes: &[Difference]) -> String {
     changes.iter().map(|change| change.to_string() + "\n").collect()
 }
 
-/// Checks the differences that the edits make, and the differences that their undoing makes.
+/// Checks the differences that the edits make, and those of their undoing that are major.
 fn check(edits: &[Edit<'_>], done: &Expect, undone: &Expect) {
     let edited = edited(edits);
     done.assert_eq(&lines(&diff(&spec(), &edited)));
-    undone.assert_eq(&lines(&diff(&edited, &spec())));
+    let mut back = diff(&edited, &spec());
+    back.retain(|change| change.impact == Impact::Major);
+    undone.assert_eq(&lines(&back));
 }
 
 #[test]
@@ -89,7 +91,6 @@ fn commands_come_go_and_move() {
         &expect![[r"
             major: command `demo_motion_state`: removed
             major: command `movc`: topic changed from `network` to `motion`
-            minor: command `quit`: added
         "]],
     );
 }
@@ -160,31 +161,6 @@ fn what_is_said_about_a_command() {
         "]],
         &expect![[r"
             major: command `movc`: name changed from `move_arc` to `move_c`
-            minor: command `clear_error`: effect changed from `setting` to `power`
-            minor: command `end_move`: deadline added: `60000 ms`
-            minor: command `get_extio_status`: bare reply added: `extio_status`
-            minor: command `jog`, variant `0`: role added: `stop_axis`
-            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; on an unknown path with tolerance` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration; on an unknown path with tolerance`
-            minor: command `movc`: motion added: `tool centre point on an arc; target end_pose (absolute where mode is 0); through mid_pose; speed speed; acceleration acceleration; tolerance tolerance; on an unknown path with circle_count or circle_mode`
-            minor: command `moveL`: deadline changed from `1500 ms` to `60000 ms`
-            minor: command `moveL`: the session goes on after it
-            minor: command `play_program`: role removed, was `resume`
-            minor: command `servo_move`: requirement added: `powered and enabled`
-            minor: command `set_servo_move_filter`: requirement changed from `powered and enabled` to `outside servo mode`
-            minor: command `set_tool_id`: change added: `the tool frame`
-            minor: command `shutdown`: the reply is no longer certain
-            minor: command `wait_complete`: deprecated: watch the status of port 10000 until the robot is in position
-            patch: command `jog`: aliases changed
-            patch: command `joint_move`: section changed from `4.107` to `4.7`
-            patch: command `joint_move`: `since` removed, was `1.6`
-            patch: command `joint_move`: `until` removed, was `2`
-            patch: command `movc`: errata changed
-            patch: command `servo_j`: refusal changed
-            patch: command `set_digital_output`: evidence of the reconstruction changed
-            patch: command `wait_complete`: doc changed
-            patch: command `wait_complete`: examples changed
-            patch: topic `payload`: title changed
-            patch: topic `types`: doc changed
         "]],
     );
 }
@@ -257,12 +233,6 @@ fn fields_of_requests() {
             major: command `set_network_exception_handle`: order of the request fields changed
             major: command `set_payload`, request field `mass`: type changed from `int` to `float`
             major: command `set_payload`, request field `mass`: unit changed from `g` to `kg`
-            minor: command `joint_move`: motion changed from `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration joint_acceleration; on an unknown path with tolerance` to `all joints; target joint_position (absolute where mode is 0, an offset where it is 1); speed speed; acceleration acceleration; on an unknown path with tolerance`
-            minor: command `joint_move`, request field `speed`: range changed from `1 to 180` to `at least 0`
-            patch: command `joint_move`, request field `accel`: doc changed
-            patch: command `joint_move`, request field `accel`: `since` removed, was `1.6`
-            patch: command `rapid_rate`, request field `rate_value`: unit removed, was `share`
-            patch: command `set_tio_vout_param`, request field `tio_vout_ena`: disputed readings changed
         "]],
     );
 }
@@ -311,11 +281,6 @@ fn functions_that_take_fields() {
             major: command `moveL`, request field `line`: removed
             major: command `rapid_rate`: the method takes the field
             major: command `set_payload`: order of the request fields changed
-            minor: command `kine_forward`, request field `jointPosition`: form on the wire changed from `python(JointPosition)` to `JointPosition`
-            minor: command `load_program`, request field `programName`: form on the wire changed from `python(text)` to `text`
-            minor: command `rapid_rate`, request field `rate_value`: form on the wire changed from `python(float)` to `float`
-            patch: command `set_payload`, request field `centroid`: doc changed
-            patch: command `set_payload`, request field `mass`: doc changed
         "]],
     );
 }
@@ -361,10 +326,6 @@ fn fields_of_replies() {
             major: command `get_version`, reply field `note`: removed
             major: command `get_version`, reply field `robot_id`: may have another shape, kept as raw JSON
             major: command `power_on`, reply field `note`: removed
-            minor: command `get_robot_state`, reply field `enable`: form on the wire changed from `bool written [0, 1]` to `bool written ["robot_disabled", "robot_enabled"]`
-            minor: command `power_on`, reply: becomes `Copy`
-            patch: command `get_joint_pos`, reply field `joint_pos`: range removed, was `-360 to 360`
-            patch: command `get_program_state`, reply field `programState`: no longer has constructors
         "#]],
     );
 }
@@ -420,16 +381,6 @@ fn types_and_their_parts() {
             major: type `Pose`, field `frame`: removed
             major: type `RobotStatus`, field `speed_limit`: removed
             major: type `Switch`: kind changed from `enum of strings` to `enum of integers`
-            minor: command `enable_admittance_ctrl`, request: becomes `Copy`
-            minor: command `servo_move`, request: becomes `Copy`
-            minor: command `set_admit_ctrl_config`, request: becomes `Copy`
-            minor: command `set_compliant_type`, request: becomes `Copy`
-            minor: command `set_digital_output`, request: becomes `Copy`
-            minor: command `torque_control_enable`, request: becomes `Copy`
-            minor: type `NetworkExceptionAction`: added
-            patch: type `Pose`, field `x`: doc changed
-            patch: type `Pose`, field `y`: doc changed
-            patch: type `RobotStatus`, field `inpos`: doc changed
         "]],
     );
 }
@@ -496,17 +447,6 @@ fn values_variants_and_error_codes() {
             major: type `ExtioSetup`, variant `1`, field `note`: removed
             major: type `ExtioSetup`, variant `2`: removed
             major: type `ProgramState`, value `waiting`: removed
-            minor: command `jog`: key of the tag changed from `mode` to `jog_mode`
-            minor: command `jog`, variant `3`: added
-            minor: error code `3`: added
-            minor: type `DigitalOutputKind`, value `2`: every firmware takes it
-            minor: type `DigitalOutputKind`, value `6`: added
-            minor: type `ExtioSetup`, variant `0`: added
-            minor: type `ProgramState`, value `idle`: added
-            patch: command `jog`, variant `0`: doc changed
-            patch: error code `1`: message changed
-            patch: error code `2`: doc changed
-            patch: type `DigitalOutputKind`, value `0`: doc changed
         "]],
     );
 }
@@ -535,17 +475,7 @@ fn events_of_the_controller() {
             patch: event `0x10F0005`: meaning changed
             patch: event `0x303184`: meaning changed
         "]],
-        &expect![[r"
-            minor: event `0x0F0034`: severity changed from `warning` to `error`
-            minor: event `0x0F2030-0x0F2031`: added
-            minor: event `0x10F0057-0x10F0058`: added
-            minor: event `0x303184`: severity changed from `error` to `warning`
-            minor: event `0xFE2044-0xFE2046`: removed
-            patch: event `0x0F0034`: remedy changed
-            patch: event `0x0F0034`: Chinese texts changed
-            patch: event `0x10F0005`: meaning changed
-            patch: event `0x303184`: meaning changed
-        "]],
+        &expect![""],
     );
 }
 
@@ -588,9 +518,6 @@ fn requests_and_types_of_another_shape() {
         &expect![[r"
             major: command `rapid_rate`: the request is no longer a choice
             major: type `FunctionInput`, field `label`: removed
-            minor: command `get_extio_status`, reply field `extio_status`: form on the wire changed from `ExtioStatus` to `python(ExtioStatus)`
-            minor: type `FunctionInput`: becomes `Copy`
-            patch: command `wait_complete`: note of the deprecation changed
         "]],
     );
 }

@@ -1,7 +1,6 @@
 //! Motions under a guard: what the controller receives, and how the motion ends.
 
 mod contact;
-mod links;
 mod set_points;
 mod streams;
 
@@ -303,6 +302,8 @@ fn a_stop_that_is_refused_is_told_at_once() {
     let end = disturbed(&arm, &mut robot, IO.cabinet(1).rises(), high);
     assert!(matches!(&end.stop, Some(Err(error)) if error.is_refused()), "{end:?}");
     assert!(matches!(end.evidence(), Evidence::Trip(trip) if !trip.is_at_rest), "{end:?}");
+    // The motion takes four seconds.
+    assert!(end.report.waited < Duration::from_secs(1), "{end:?}");
     let text = end.guarded().expect_err("the arm may still move").to_string();
     assert!(text.contains("the stop that followed was not accepted, so the arm may still move"), "{text}");
     let error = robot.start(&motion()).expect_err("nobody has looked");

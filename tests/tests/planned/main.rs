@@ -15,5 +15,4 @@ mod races;
 mod random_motions;
 mod rest;
 mod robot;
-mod robot_faults;
 mod stopped_steps;

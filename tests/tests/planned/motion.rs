@@ -431,6 +431,10 @@ fn a_payload_is_identified_by_a_motion() {
     assert_close(joints(&mut client), end, 1e-9);
     let found = client.get_torq_sensor_payload_identify_result().expect("it answers");
     assert_eq!((found.mass, found.centroid), (1.5, [1.0, 2.0, 30.0].into()));
+    end[5] -= 45.0;
+    client.start_torq_sensor_payload_identify(end).expect("it is reachable");
+    arm.collide();
+    assert_eq!(status(&mut client), IdentifyStatus::Failed);
 }
 
 #[test]

@@ -7,14 +7,12 @@ use jaka_proto::check::{FieldLimits, NotSent, Place, Validate};
 use jaka_proto::wire::{DecodeError, Fields, Reader, Writer};
 use jaka_proto::{Change, Command, CommandInfo, Effect};
 use jaka_robot::force::StartTorqSensorPayloadIdentify;
-use jaka_robot::motion::{EndMove, JointMove, MoveC, MoveL};
+use jaka_robot::motion::{JointMove, MoveL};
 use jaka_robot::types::{MoveMode, Pose};
-use jaka_robot::{
-    Cause, End, ErrorKind, Evidence, Explanation, Motion, Robot, RobotConfig, RobotStop, StatusProblem, Target,
-};
-use jaka_sim::{Delays, Fault, Firmware, SimulatedClock, StatusFault};
+use jaka_robot::{Cause, End, ErrorKind, Explanation, Motion, Robot, RobotStop, StatusProblem, Target};
+use jaka_sim::{Delays, Fault, Firmware, SimulatedClock};
 use jaka_tests::simulated::beside;
-use jaka_tests::{Arm, CYCLE, Configured as _, HandFed, LONG, text};
+use jaka_tests::{Arm, CYCLE, HandFed, LONG, text};
 
 /// Time of the event after the start of the long motion, which is at its full speed then.
 const MIDDLE: Duration = Duration::from_millis(200);
@@ -105,24 +103,6 @@ fn a_stop_ends_the_wait_immediately() {
 }
 
 #[test]
-fn a_client_that_takes_the_seat_ends_the_wait_while_the_arm_moves() {
-    for stops in [false, true] {
-        let (arm, mut robot) = ready();
-        let stop = robot.stop_handle();
-        let mut seat = None;
-        let end = disturbed(&arm, &mut robot, || {
-            seat = Some(arm.client());
-            if stops {
-                assert!(stop.stop().is_err_and(|error| error.is_disconnected()));
-            }
-        });
-        assert!(end.cause() == Cause::CommandsLost, "{:?}", end.cause());
-        assert!(end.report.waited <= MIDDLE + CYCLE, "{:?}", end.report.waited);
-        assert!(!arm.state().at_rest, "it goes on: {:?}", arm.state().joint_position);
-    }
-}
-
-#[test]
 fn a_stop_that_fails_keeps_the_next_motion_from_being_sent() {
     let (arm, mut robot) = ready();
     let stop = robot.stop_handle();
@@ -136,18 +116,6 @@ fn a_stop_that_fails_keeps_the_next_motion_from_being_sent() {
     // One that succeeds later ends a wait, whatever became of those before.
     let end = disturbed(&arm, &mut robot, || stop.stop().expect("the controller takes the stop"));
     assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
-}
-
-#[test]
-fn a_stop_between_motions_keeps_the_next_from_being_sent() {
-    let (arm, mut robot) = ready();
-    robot.stop_handle().stop().expect("the controller takes the stop");
-    let sent = arm.requests().len();
-    let error = robot.run(&to(5.0), LONG).expect_err("somebody wanted the arm to stop");
-    assert!(matches!(error.kind(), ErrorKind::NotAcknowledged { occurrence } if occurrence.cause == Cause::Stopped));
-    assert_eq!(arm.requests().len(), sent);
-    robot.acknowledge();
-    assert!(run(&mut robot, &to(5.0)).cause() == Cause::Reached);
 }
 
 /// A motion during whose checks the arm is stopped: after the robot has looked whether it may send, before it does.
@@ -229,42 +197,6 @@ fn protective_and_emergency_stops_latch_until_acknowledged() {
 }
 
 #[test]
-fn a_stop_between_motions_latches_too() {
-    let (arm, mut robot) = ready();
-    arm.collide();
-    show(&arm);
-    robot.client().clear_error().expect("it answers");
-    show(&arm);
-    assert!(robot.unacknowledged().is_some_and(|found| found.cause == Cause::ProtectiveStop));
-    assert!(robot.start(&to(0.0)).is_err());
-    robot.acknowledge();
-    assert!(robot.unacknowledged().is_none());
-}
-
-#[test]
-fn an_arm_without_power_or_that_is_disabled_ends_its_motion() {
-    let (arm, mut robot) = ready();
-    let end = disturbed(&arm, &mut robot, || arm.cut_power());
-    assert!(end.cause() == Cause::NotPowered, "{:?}", end.cause());
-    let (arm, mut robot) = ready();
-    let end = disturbed(&arm, &mut robot, || arm.set_state(|state| state.enabled = false));
-    assert!(end.cause() == Cause::NotEnabled, "{:?}", end.cause());
-}
-
-#[test]
-fn an_error_of_the_controller_ends_a_motion_with_its_code() {
-    let (arm, mut robot) = ready();
-    let end = disturbed(&arm, &mut robot, || {
-        arm.set_state(|state| {
-            state.error_code = "0x0F0034".to_owned();
-            state.error_message = "joint 3 hit something".to_owned();
-        });
-    });
-    let told = end.to_string();
-    assert!(told.contains("0x0f0034 (error") && told.contains("joint 3 hit something;"), "{told}");
-}
-
-#[test]
 fn information_and_warnings_end_no_motion() {
     let (arm, mut robot) = ready();
     // Servo mode is on; reduced mode; and one that no table has, at an arm that reaches its target.
@@ -296,25 +228,6 @@ fn a_deadline_leaves_the_motion_to_be_waited_for_again() {
     assert!(end.cause() == Cause::Deadline);
     let end = robot.wait(LONG);
     assert!(end.cause() == Cause::Reached, "{:?}", end.cause());
-}
-
-#[test]
-fn a_lost_status_is_reported_and_latches() {
-    let (arm, mut robot) = ready();
-    robot.start(&to(40.0)).expect("it is accepted");
-    arm.status_fault(StatusFault::CloseAfter(10));
-    let end = robot.wait(LONG);
-    assert!(matches!(end.evidence(), Evidence::Status { cause: Some(_), .. }), "{:?}", end.cause());
-    assert!(robot.start(&to(0.0)).is_err_and(|error| matches!(error.kind(), ErrorKind::NotAcknowledged { .. })));
-
-    let (arm, robot) = ready();
-    let silence = Duration::from_millis(50);
-    let mut robot = robot.configured(&RobotConfig::new().status_silence(silence)).expect("it has no limits");
-    arm.status_fault(StatusFault::Silent);
-    robot.start(&to(40.0)).expect("it is accepted");
-    let end = robot.wait(LONG);
-    assert!(matches!(end.evidence(), Evidence::Status { cause: None, .. }), "{:?}", end.cause());
-    assert_eq!(end.report.waited, silence);
 }
 
 #[test]
@@ -383,32 +296,8 @@ fn refusals_are_explained() {
 }
 
 #[test]
-fn a_refused_motion_says_why_in_its_error() {
+fn the_motion_of_an_identification_is_waited_for() {
     let (arm, mut robot) = ready();
-    arm.set_state(|state| state.enabled = false);
-    show(&arm);
-    let error = robot.run(&to(5.0), LONG).expect_err("the arm is not enabled");
-    assert!(error.is_refused() && !error.may_have_run());
-    assert_eq!(
-        error.to_string(),
-        "the controller refused `joint_move` with code 2: call joint_move failed; \
-         the arm is not enabled; when somebody has looked at the arm, call `power_up`"
-    );
-}
-
-#[test]
-fn arcs_joint_targets_by_pose_and_identification_are_waited_for() {
-    let (arm, mut robot) = ready();
-    let start = arm.state().tcp_pose;
-    let side = Pose { y: start.y + 40.0, ..start };
-    let request = EndMove::new(side, 60.0).acceleration(400.0);
-    let end = run(&mut robot, &request);
-    assert!(end.cause() == Cause::Reached && (arm.state().tcp_pose.y - side.y).abs() < 0.01);
-    let mid_pose = Pose { y: start.y + 20.0, z: start.z + 20.0, ..start };
-    let (mode, speed, acceleration, tolerance) = (MoveMode::Absolute, 60.0, 400.0, 0.0);
-    let request = MoveC::new(mode, mid_pose, start, speed, acceleration, tolerance);
-    let end = run(&mut robot, &request);
-    assert!(end.cause() == Cause::Reached && (arm.state().tcp_pose.y - start.y).abs() < 0.01);
     let mut joints = arm.state().joint_position;
     joints.0[5] += 20.0;
     let request = StartTorqSensorPayloadIdentify::new(joints);

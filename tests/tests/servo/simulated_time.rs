@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use jaka_robot::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
 use jaka_robot::motion::JointMove;
 use jaka_robot::types::JointPosition;
-use jaka_robot::{Cause, Client, Evidence, FollowConfig, Reconnect, Robot, RobotConfig, ServoConfig, StreamConfig};
-use jaka_sim::{Controller, Delays, Fault, Port, StatusFault};
+use jaka_robot::{Cause, Client, Evidence, FollowConfig, Robot, RobotConfig, ServoConfig, StreamConfig};
+use jaka_sim::{Controller, Port, StatusFault};
 use jaka_tests::simulated::{SetPoints, beside};
 use jaka_tests::{Arm, ArmBuilder, CYCLE, Configured as _, LONG};
 
@@ -161,58 +161,6 @@ fn a_collision_on_the_way_is_told_with_the_next_packet() {
     let joint = arm.state().joint_position.0[0];
     // It stands where it was in that cycle, at 10 deg/s.
     assert!(told <= period && joint > 20.0 && joint <= 20.0 + 0.08 + 1e-9, "after {told:?}, at {joint} deg");
-}
-
-#[test]
-fn replies_and_timeouts_come_at_their_times() {
-    let arm = arm(Duration::from_millis(30)).start();
-    let clock = arm.clock();
-    let took = |client: &mut Client| {
-        let since = clock.elapsed();
-        (client.get_joint_pos().is_ok(), clock.elapsed().saturating_sub(since))
-    };
-    let mut client = arm.client();
-    assert_eq!(took(&mut client), (true, Duration::ZERO));
-    arm.inject(Fault::Delay(Duration::from_secs(3)));
-    assert_eq!(took(&mut client), (true, Duration::from_secs(3)));
-    let link = arm.link(Port::Command);
-    link.to_client().delay(Duration::from_millis(800));
-    assert_eq!(took(&mut client), (true, Duration::from_millis(800)));
-    link.to_controller().delay(Duration::from_millis(300));
-    assert_eq!(took(&mut client), (true, Duration::from_millis(1100)));
-    link.hold();
-    assert_eq!(took(&mut client), (false, Duration::from_secs(5)));
-    link.release();
-    // What was held is answered, too.
-    assert!(arm.wait_for_requests(5, LONG));
-    arm.inject(Fault::Drop);
-    assert_eq!(took(&mut arm.client()), (false, Duration::from_secs(5)));
-}
-
-#[test]
-fn a_monitor_connects_again_after_its_delay() {
-    let again = Reconnect::Attempts { limit: 1, delay: Duration::from_secs(10), longest: LONG };
-    let (arm, robot) = arm(Duration::from_millis(30)).config(|config| config.reconnect(again)).with_robot();
-    let clock = arm.clock();
-    arm.disconnect();
-    let since = clock.elapsed();
-    robot.monitor().wait_until(|_| true, LONG).expect("packets come again");
-    while robot.monitor().statistics().reconnects == 0 {
-        assert!(clock.elapsed() < since + LONG);
-        robot.monitor().next_packet().ok();
-    }
-    assert_eq!(clock.elapsed().saturating_sub(since), Duration::from_secs(10));
-}
-
-#[test]
-fn powering_up_takes_the_arms_time_and_no_other() {
-    let (arm, mut robot) = Arm::simulated().without_power().controller(|arm| arm.delays(Delays::REAL)).with_robot();
-    let clock = arm.clock();
-    let since = clock.elapsed();
-    robot.power_up(LONG).expect("nothing is in its way");
-    // 8 s and 3.5 s, queries each 100 ms, and the packet that shows it.
-    let took = clock.elapsed().saturating_sub(since).as_millis();
-    assert!((11_500..11_800).contains(&took), "{took} ms");
 }
 
 #[test]

@@ -1,43 +1,41 @@
 //! Commands beyond the document: newer firmware answers them, and firmware 1.5.14 refuses them but for one.
 
+use std::time::Duration;
+
 use jaka_spec::{Version, Versions};
 use jaka_sync::beyond_io::{GetAnalogOutput, GetDigitalOutput};
 use jaka_sync::io::{AnalogOutputKind, DigitalOutputKind, SetAnalogOutput, SetDigitalOutput};
-use jaka_sync::proto::wire::Typed;
-use jaka_sync::proto::{Command, ErrorCode, Request, Visit};
+use jaka_sync::motion::JointMove;
+use jaka_sync::proto::ErrorCode;
 use jaka_sync::types::Switch;
 use jaka_sync::{Client, Error};
-use jaka_tests::{LONG, spec};
+use jaka_tests::{Arm, LONG, spec};
 
-use super::arm::{Arm, assert_close, refused, turn};
+use super::call;
 
 /// The commands that the document does not have, in the order of the spec: one that is added is tested here.
 fn commands() -> Vec<jaka_spec::Command> {
     spec().commands().filter(|command| !command.evidence.is_empty()).cloned().collect()
 }
 
-/// An arm whose controller has this firmware.
-fn arm_of(version: &str) -> Arm {
-    let arm = Arm::ready();
-    arm.controller.set_state(|state| version.clone_into(&mut state.version));
-    arm
+/// An arm whose controller has this firmware, and its client.
+fn arm_of(version: &str) -> (Arm, Client) {
+    let (arm, client) = Arm::stepped().no_packets().with_client();
+    arm.set_state(|state| version.clone_into(&mut state.version));
+    (arm, client)
 }
 
 /// Sends the requests of the command's examples to firmware of this version, and returns their outcomes.
 fn send_examples(version: &str, command: &jaka_spec::Command) -> Vec<Result<(), Error>> {
-    struct Call<'c>(&'c mut Client);
-    impl Visit for Call<'_> {
-        type Output = Result<(), Error>;
-
-        fn visit<C: Command>(self, command: &C) -> Self::Output {
-            self.0.call(command).map(drop)
-        }
-    }
-    let mut arm = arm_of(version);
-    let requests = command.examples.iter().filter_map(|example| example.request.as_ref());
-    let requests: Vec<_> = requests.map(|text| Request::read(text).expect("the example fits")).collect();
+    let (_arm, mut client) = arm_of(version);
+    let requests: Vec<_> = command.examples.iter().filter_map(|example| example.request.as_deref()).collect();
     assert!(!requests.is_empty(), "{}: no example has a request", command.wire);
-    requests.iter().map(|request| request.visit(Call(&mut arm.client))).collect()
+    requests.into_iter().map(|request| call(&mut client, request).map(drop)).collect()
+}
+
+/// A turn of joint 1 from where it is, in degrees, at 20 deg/s.
+fn turn(angle: f64) -> JointMove {
+    JointMove::relative([angle, 0.0, 0.0, 0.0, 0.0, 0.0], 20.0).acceleration(80.0)
 }
 
 #[test]
@@ -85,70 +83,55 @@ fn two_of_them_are_older() {
 
 #[test]
 fn the_whole_status_comes_on_the_command_port() {
-    let mut arm = arm_of("1.5.14_13_X64");
-    let (whole, mut packet) = (arm.client.get_data().expect("it answers"), arm.status());
+    let (arm, mut client) = arm_of("1.5.14_13_X64");
+    let whole = client.get_data().expect("it answers");
+    let mut packet = arm.stream().next_packet().expect("the first packet comes at once");
     // The length is that of a packet.
     packet.length = whole.length;
     assert_eq!(whole, packet);
 }
 
 #[test]
-fn positions_and_frames_are_those_of_the_arm() {
-    let mut arm = arm_of("1.7.2");
-    arm.client.joint_move(&turn(30.0)).expect("the arm is enabled");
-    arm.wait(1);
-    assert_close(arm.client.get_actual_joint_pos().expect("it answers").joint_position.0, arm.joints(), 1e-4);
-    assert_close(arm.client.get_actual_tcp_pos().expect("it answers").pose, arm.pose(), 1e-4);
-    arm.client.set_tool_id(2).expect("there is such a frame");
-    arm.client.set_user_id(1).expect("there is such a frame");
-    assert_eq!(arm.client.get_curr_tool_id().expect("it answers").id, 2);
-    assert_eq!(arm.client.get_curr_user_id().expect("it answers").id, 1);
-}
-
-#[test]
-fn limits_drag_mode_and_the_rate_are_those_of_the_arm() {
-    let mut arm = arm_of("1.7.2");
-    let known = |arm: &mut Arm| {
-        let limit = arm.client.is_on_limit().expect("it answers").on_limit;
-        let drag = arm.client.get_drag_status().expect("it answers").drag_mode;
-        (limit, drag, arm.client.get_rapid_rate().expect("it answers").rapid_rate)
-    };
-    assert_eq!(known(&mut arm), (Typed::Known(false), Typed::Known(false), Typed::Known(1.0)));
-    arm.controller.set_state(|state| {
-        (state.on_soft_limit, state.drag_mode, state.rapid_rate) = (1, true, 0.5);
-    });
-    assert_eq!(known(&mut arm), (Typed::Known(true), Typed::Known(true), Typed::Known(0.5)));
+fn positions_and_limits_are_those_of_the_arm() {
+    let (arm, mut client) = arm_of("1.7.2");
+    client.joint_move(&turn(30.0)).expect("the arm is enabled");
+    arm.advance(Duration::from_secs(1));
+    arm.set_state(|state| state.on_soft_limit = 1);
+    let (joints, pose) = (client.get_actual_joint_pos(), client.get_actual_tcp_pos());
+    assert!(joints.expect("it answers").joint_position.max_distance(&arm.state().joint_position) < 1e-4);
+    assert!(pose.expect("it answers").pose.distance_mm(&arm.state().tcp_pose) < 1e-4);
+    assert_eq!(client.is_on_limit().expect("it answers").on_limit.known(), Some(&true));
 }
 
 #[test]
 fn stops_and_motions_are_those_of_the_arm() {
-    let mut arm = arm_of("1.7.2");
-    let state = arm.client.get_motion_state().expect("it answers");
+    let (arm, mut client) = arm_of("1.7.2");
+    let state = client.get_motion_state().expect("it answers");
     assert_eq!((state.in_position, state.paused, state.queue), (true, Some(false), 0));
-    arm.client.joint_move(&turn(30.0)).expect("the arm is enabled");
-    arm.client.joint_move(&turn(-30.0)).expect("the arm is enabled");
-    arm.wait(1);
-    let state = arm.client.get_motion_state().expect("it answers");
+    client.joint_move(&turn(30.0)).expect("the arm is enabled");
+    client.joint_move(&turn(-30.0)).expect("the arm is enabled");
+    arm.advance(Duration::from_secs(1));
+    let state = client.get_motion_state().expect("it answers");
     assert_eq!((state.in_position, state.queue), (false, 1));
-    arm.controller.set_state(|state| state.emergency_stop = true);
-    assert!(arm.client.emergency_stop_status().expect("it answers").emergency_stop);
+    arm.press_emergency_stop();
+    assert!(client.emergency_stop_status().expect("it answers").emergency_stop);
 }
 
 #[test]
 fn outputs_are_those_that_were_set() {
-    let mut arm = arm_of("1.7.2");
-    arm.client.set_digital_output(&SetDigitalOutput::tool(1, Switch::On)).expect("it answers");
-    arm.client.set_analog_output(&SetAnalogOutput::cabinet(3, 4.32)).expect("it answers");
-    let mut digital = |kind| arm.client.get_digital_output(&GetDigitalOutput::new(kind, 1)).expect("it answers").value;
+    let (_arm, mut client) = arm_of("1.7.2");
+    client.set_digital_output(&SetDigitalOutput::tool(1, Switch::On)).expect("it answers");
+    client.set_analog_output(&SetAnalogOutput::cabinet(3, 4.32)).expect("it answers");
+    let mut digital = |kind| client.get_digital_output(&GetDigitalOutput::new(kind, 1)).expect("it answers").value;
     assert_eq!([DigitalOutputKind::Tool, DigitalOutputKind::Cabinet].map(&mut digital), [true, false]);
     let analog = GetAnalogOutput::new(AnalogOutputKind::Cabinet, 3);
-    assert_eq!(arm.client.get_analog_output(&analog).expect("it answers").value.to_bits(), 4.32_f64.to_bits());
+    assert_eq!(client.get_analog_output(&analog).expect("it answers").value.to_bits(), 4.32_f64.to_bits());
 }
 
 #[test]
 fn what_the_spec_forbids_is_not_sent() {
-    let mut arm = arm_of("1.7.2");
-    assert!(arm.client.set_motion_limit_warning_range(6).is_err());
+    let (_arm, mut client) = arm_of("1.7.2");
+    assert!(client.set_motion_limit_warning_range(6).is_err());
     let beyond = r#"{"cmdName":"set_motion_limit_warning_range","range_level":6}"#;
-    refused(arm.client.call_text(beyond, LONG));
+    assert!(client.call_text(beyond, LONG).is_err_and(|error| error.is_refused()));
 }

@@ -102,49 +102,6 @@ fn a_tag_says_which_arguments_there_are() {
               Position to move to. In deg for a joint or a rotation, mm for a translation. Advised: -360 to 360, where `frame` is 1 (Joint).
         "#]],
     );
-    check_arguments(
-        "set_servo_move_filter",
-        &expect![[r#"
-            --filter-type disabled|joint-low-pass|joint-nonlinear|joint-mean|cartesian-nonlinear|speed-lookahead [filter_type, filter_type] []
-              What is asked for, and so which further arguments there are.
-                disabled = 0: No filter.
-                joint-low-pass = 1: First-order low-pass filter on the joints.
-                joint-nonlinear = 2: Nonlinear filter on the joints.
-                joint-mean = 3: Multi-stage mean filter on the joints.
-                cartesian-nonlinear = 4: Nonlinear filter in Cartesian space.
-                speed-lookahead = 5: Speed look-ahead.
-            --cutoff-frequency NUMBER [lpf_cf, cutoff_frequency] ["joint-low-pass"]
-              Cut-off frequency. In Hz. Allowed: at least 0.
-            --max-joint-speed NUMBER [nlf_max_vr, max_joint_speed] ["joint-nonlinear"]
-              Greatest speed of a joint. In deg/s. Allowed: at least 0.
-            --max-joint-acceleration NUMBER [nlf_max_ar, max_joint_acceleration] ["joint-nonlinear"]
-              Greatest acceleration of a joint. In deg/s². Allowed: at least 0.
-            --max-joint-jerk NUMBER [nlf_max_jr, max_joint_jerk] ["joint-nonlinear"]
-              Greatest jerk of a joint. In deg/s³. Allowed: at least 0.
-            --window-width INTEGER [mmf_max_buf, window_width] ["joint-mean"]
-              Width of the filter's window. Allowed: at least 0.
-            --position-coefficient NUMBER [mmf_kp, position_coefficient] ["joint-mean", "speed-lookahead"]
-              Coefficient for the following of the position.
-            --speed-coefficient NUMBER [mmf_kv, speed_coefficient] ["joint-mean"]
-              Coefficient for the following of the speed.
-            --acceleration-coefficient NUMBER [mmf_ka, acceleration_coefficient] ["joint-mean"]
-              Coefficient for the following of the acceleration.
-            --max-rotation-speed NUMBER [nlf_max_vr, max_rotation_speed] ["cartesian-nonlinear"]
-              Greatest speed at which the orientation changes. In deg/s (printed as %/s). Allowed: at least 0.
-            --max-rotation-acceleration NUMBER [nlf_max_ar, max_rotation_acceleration] ["cartesian-nonlinear"]
-              Greatest acceleration with which the orientation changes. In deg/s² (printed as %/s²). Allowed: at least 0.
-            --max-rotation-jerk NUMBER [nlf_max_jr, max_rotation_jerk] ["cartesian-nonlinear"]
-              Greatest jerk with which the orientation changes. In deg/s³ (printed as %/s³). Allowed: at least 0.
-            --max-translation-speed NUMBER [nlf_max_vp, max_translation_speed] ["cartesian-nonlinear"]
-              Greatest speed of the commanded translation in Cartesian space. In mm/s. Allowed: at least 0.
-            --max-translation-acceleration NUMBER [nlf_max_ap, max_translation_acceleration] ["cartesian-nonlinear"]
-              Greatest acceleration of the commanded translation in Cartesian space. In mm/s². Allowed: at least 0.
-            --max-translation-jerk NUMBER [nlf_max_jp, max_translation_jerk] ["cartesian-nonlinear"]
-              Greatest jerk of the commanded translation in Cartesian space. In mm/s³. Allowed: at least 0.
-            --buffer-size INTEGER [mmf_max_buf, buffer_size] ["speed-lookahead"]
-              Size of the mean filter's buffer. Allowed: at least 0.
-        "#]],
-    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Replies and status packets, held against the spec.
 
-use expect_test::{Expect, expect};
+use expect_test::expect;
 use jaka_dynamic::Node;
 use jaka_tests::{Printed, printed};
 use serde_json::{Value, json};
@@ -27,125 +27,89 @@ fn departures(message: &Printed) -> Vec<String> {
     departures.iter().map(|departure| format!("{}: {departure}", message.section)).collect()
 }
 
-fn check_reply(wire: &str, reply: &Value, expected: &Expect) {
-    expected.assert_eq(&lines(&Node::reply(&SPEC, command(wire), reply.clone()).departures()));
+/// The departures of replies, each with its command.
+fn departures_of(replies: &[(&str, Value)]) -> String {
+    let of = |(wire, reply): &(&str, Value)| {
+        format!("{wire}:\n{}", lines(&Node::reply(&SPEC, command(wire), reply.clone()).departures()))
+    };
+    replies.iter().map(of).collect()
 }
 
 #[test]
 fn refusals_are_held_against_the_envelope() {
-    check_reply(
-        "get_joint_pos",
-        &json!({"errorCode": 2, "errorMsg": "call get_joint_pos failed"}),
-        &expect![[r"
+    let replies = [
+        ("get_joint_pos", json!({"errorCode": 2, "errorMsg": "call get_joint_pos failed"})),
+        ("get_joint_pos", json!({"errorCode": "0x2", "cmdName": "get_tcp_pos", "errorMsg": ""})),
+        ("get_joint_pos", json!({"errorCode": "none", "cmdName": 5, "errorMsg": []})),
+        ("get_joint_pos", json!({"cmdName": " get_joint_pos ", "joint_pos": 1})),
+        ("get_joint_pos", json!([])),
+        ("get_extio_status", json!("(0, [], {'state': 0})")),
+    ];
+    expect![[r#"
+        get_joint_pos:
         lenient: `errorCode` is 2; expected is text of decimal digits
         lenient: `cmdName` is missing; expected is `get_joint_pos`
-    "]],
-    );
-    check_reply(
-        "get_joint_pos",
-        &json!({"errorCode": "0x2", "cmdName": "get_tcp_pos", "errorMsg": ""}),
-        &expect![[r#"
-            lenient: `errorCode` is "0x2"; expected is text of decimal digits
-            unreadable: `cmdName` is "get_tcp_pos"; expected is `get_joint_pos`
-        "#]],
-    );
-    check_reply(
-        "get_joint_pos",
-        &json!({"errorCode": "none", "cmdName": 5, "errorMsg": []}),
-        &expect![[r#"
+        get_joint_pos:
+        lenient: `errorCode` is "0x2"; expected is text of decimal digits
+        unreadable: `cmdName` is "get_tcp_pos"; expected is `get_joint_pos`
+        get_joint_pos:
         unreadable: `errorCode` is "none"; expected is text of decimal digits
         lenient: `errorMsg` is []; expected is text
         lenient: `cmdName` is 5; expected is `get_joint_pos`
-    "#]],
-    );
-    check_reply(
-        "get_joint_pos",
-        &json!({"cmdName": " get_joint_pos ", "joint_pos": 1}),
-        &expect![[r#"
+        get_joint_pos:
         unreadable: `errorCode` is missing; expected is text of decimal digits
         lenient: `errorMsg` is missing; expected is text
         lenient: `cmdName` is " get_joint_pos "; expected is `get_joint_pos`
-    "#]],
-    );
-    check_reply(
-        "get_joint_pos",
-        &json!([]),
-        &expect![[r"
+        get_joint_pos:
         unreadable: the message is []; expected is an object
-    "]],
-    );
-    check_reply(
-        "get_extio_status",
-        &json!("(0, [], {'state': 0})"),
-        &expect![[r#"
+        get_extio_status:
         lenient: the message is "(0, [], {'state': 0})"; expected is an object
-    "#]],
-    );
+    "#]]
+    .assert_eq(&departures_of(&replies));
 }
 
 #[test]
 fn keys_types_lengths_ranges_and_values_are_distinguished() {
-    let check = |wire: &str, fields, expected| check_reply(wire, &success(wire, fields), &expected);
-    check(
-        "get_joint_pos",
-        json!({"joint_pos": ["1", 2, 3, 4, 5, true, 7], "loads": [[0.5], [1]]}),
-        expect![[r#"
-            lenient: `loads` is not in the spec; it looks like `float[][]`: [[0.5],[1]]
-            unreadable: `joint_pos` has another length; expected is an array of 6, each a number (in deg): ["1",2,3,4,5,true,7]
-            lenient: `joint_pos[0]` is "1"; expected is a number (in deg)
-            unreadable: `joint_pos[5]` is true; expected is a number (in deg)
-        "#]],
-    );
-    check(
-        "get_joint_pos",
-        json!({"joint_pos": null, "names": ["a"], "extra": [{}], "on": [true, 0]}),
-        expect![[r#"
-            lenient: `extra` is not in the spec; it looks like `json[]`: [{}]
-            lenient: `names` is not in the spec; it looks like `text[]`: ["a"]
-            lenient: `on` is not in the spec; it looks like `json`: [true,0]
-            unreadable: `joint_pos` is missing; expected is an array of 6, each a number (in deg)
-        "#]],
-    );
-    check(
-        "get_robot_state",
-        json!({"enable": true, "power": "1"}),
-        expect![[r#"
+    let extio =
+        "(1, [{'setup': (0, 'io', (9600, 8), {'ai': (0, 0), 'do': (0,), 'ao': 5})}], {'state': 'True', 'di': (2, 2)})";
+    let replies = [
+        ("get_joint_pos", json!({"joint_pos": ["1", 2, 3, 4, 5, true, 7], "loads": [[0.5], [1]]})),
+        ("get_joint_pos", json!({"joint_pos": null, "names": ["a"], "extra": [{}], "on": [true, 0]})),
+        ("get_robot_state", json!({"enable": true, "power": "1"})),
+        ("get_tio_vout_param", json!({"tio_vout_ena": 2, "tio_vout_vol": 0.0})),
+        ("get_torsenosr_brand", json!({"sensor_brand": 9})),
+        ("get_funcdi_status", json!({"funcdi_status": [[-1, -1, 0], [8, "2"], [0], 1]})),
+        ("get_extio_status", json!({"extio_status": extio})),
+        ("get_extio_status", json!({"extio_status": "(1, "})),
+        ("get_admit_ctrl_config", json!({"admitConfig": [[0, 5.0, 0.0, 0.0, 0]]})),
+    ]
+    .map(|(wire, fields)| (wire, success(wire, fields)));
+    expect![[r#"
+        get_joint_pos:
+        lenient: `loads` is not in the spec; it looks like `float[][]`: [[0.5],[1]]
+        unreadable: `joint_pos` has another length; expected is an array of 6, each a number (in deg): ["1",2,3,4,5,true,7]
+        lenient: `joint_pos[0]` is "1"; expected is a number (in deg)
+        unreadable: `joint_pos[5]` is true; expected is a number (in deg)
+        get_joint_pos:
+        lenient: `extra` is not in the spec; it looks like `json[]`: [{}]
+        lenient: `names` is not in the spec; it looks like `text[]`: ["a"]
+        lenient: `on` is not in the spec; it looks like `json`: [true,0]
+        unreadable: `joint_pos` is missing; expected is an array of 6, each a number (in deg)
+        get_robot_state:
         lenient: `enable` is true; expected is "robot_disabled" or "robot_enabled"
         lenient: `power` is "1"; expected is "powered_off" or "powered_on"
-    "#]],
-    );
-    check(
-        "get_tio_vout_param",
-        json!({"tio_vout_ena": 2, "tio_vout_vol": 0.0}),
-        expect![[r"
+        get_tio_vout_param:
         lenient: `tio_vout_ena` is 2; expected is a whole number, 0 to 1
         lenient: `tio_vout_vol` is 0.0; expected is a whole number, 0 to 1
-    "]],
-    );
-    check(
-        "get_torsenosr_brand",
-        json!({"sensor_brand": 9}),
-        expect![[r"
+        get_torsenosr_brand:
         lenient: `sensor_brand` is 9; the spec lists 1 (Sony), 2 (BoschSensortec) or 3 (StMicroelectronics)
-    "]],
-    );
-    check(
-        "get_funcdi_status",
-        json!({"funcdi_status": [[-1, -1, 0], [8, "2"], [0], 1]}),
-        expect![[r#"
+        get_funcdi_status:
         lenient: `funcdi_status[0]` has another length; expected is an array [kind, index]: [-1,-1,0]
         lenient: `funcdi_status[1].kind` is 8; the spec lists -1 (Unassigned), 0 (Cabinet), 1 (Tool) or 2 (Modbus)
         lenient: `funcdi_status[1].index` is "2"; expected is a whole number
         unreadable: `funcdi_status[2].index` is missing; expected is a whole number
         unreadable: `funcdi_status[3]` is 1; expected is an array [kind, index]
-    "#]],
-    );
-    let extio =
-        "(1, [{'setup': (0, 'io', (9600, 8), {'ai': (0, 0), 'do': (0,), 'ao': 5})}], {'state': 'True', 'di': (2, 2)})";
-    check(
-        "get_extio_status",
-        json!({"extio_status": extio}),
-        expect![[r#"
+        get_extio_status:
         lenient: `extio_status.modules[0].setup.connection.slave_id` is missing; expected is a whole number
         lenient: `extio_status.modules[0].setup.connection.data_bits` is missing; expected is a whole number
         lenient: `extio_status.modules[0].setup.connection.parity` is missing; expected is any JSON
@@ -156,22 +120,11 @@ fn keys_types_lengths_ranges_and_values_are_distinguished() {
         unreadable: `extio_status.modules[0].pinmap` is missing; expected is an object
         lenient: `extio_status.state.state` is "True"; expected is 0 or 1
         unreadable: `extio_status.state.di[0]` is 2; expected is 0 or 1 (and 1 more like it)
-    "#]],
-    );
-    check(
-        "get_extio_status",
-        json!({"extio_status": "(1, "}),
-        expect![[r#"
+        get_extio_status:
         unreadable: `extio_status` is "(1, "; expected is text with a Python literal
-    "#]],
-    );
-    check(
-        "get_admit_ctrl_config",
-        json!({"admitConfig": [[0, 5.0, 0.0, 0.0, 0]]}),
-        expect![[r"
-            lenient: `admitConfig[0][0]` is 0; expected is an array [enabled, user_force, rebound, constant_force, normal_track] (and 4 more like it)
-        "]],
-    );
+        get_admit_ctrl_config:
+        lenient: `admitConfig[0][0]` is 0; expected is an array [enabled, user_force, rebound, constant_force, normal_track] (and 4 more like it)
+    "#]].assert_eq(&departures_of(&replies));
 }
 
 #[test]

@@ -110,21 +110,6 @@ fn an_error_of_the_controller_under_a_guard_stops_the_arm() {
     assert_stopped_on_the_way(&arm);
 }
 
-#[test]
-fn a_stop_that_is_refused_ends_the_wait_at_once() {
-    let (arm, mut robot) = arm().with_robot();
-    arm.inject_for("stop_program", refusal("stop_program"));
-    set_high_on_the_way(&arm);
-    let end = robot.run(&to(FAR).guard(input()), LONG).expect("the motion is accepted");
-    assert!(matches!(end.evidence(), Evidence::Trip(trip) if !trip.is_at_rest), "{:?}", end.cause());
-    assert!(matches!(&end.stop, Some(Err(error)) if error.is_refused()), "{:?}", end.cause());
-    // The motion takes four seconds.
-    assert!(end.report.waited < Duration::from_secs(1), "{:?}", end.report.waited);
-    // It may go on, and can be waited for. The simulator has stopped the arm all the same.
-    let end = robot.wait(LONG);
-    assert!(end.cause() == Cause::Stopped, "{:?}", end.cause());
-}
-
 /// The stop was accepted; the position is refused.
 #[test]
 fn rest_that_the_controller_does_not_confirm_is_not_told_after_a_trip() {
