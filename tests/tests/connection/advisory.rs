@@ -22,7 +22,7 @@ const BASES: [&str; 9] = [
     r#"{"cmdName":"set_traj_config","acc":100,"vel":20,"xyz_interval":0.1,"rpy_interval":0.1}"#,
 ];
 
-/// What no arm does: a command, fields that differ from its request above, and the field that is refused with its
+/// Requests of what no arm does: a command, fields that differ from those above, and the field that is refused with its
 /// permitted range in words.
 const REFUSED: [(&str, &str, &str, &str); 32] = [
     ("joint_move", r#"{"jointPosition":[1000,0,0,0,0,0]}"#, "joint_position[0]", "-360 to 360 deg"),

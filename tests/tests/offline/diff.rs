@@ -319,14 +319,14 @@ fn fields_of_replies() {
             patch: command `get_joint_pos`, reply field `joint_pos`: range added: `-360 to 360`
             patch: command `get_program_state`, reply field `programState`: gets a constructor for each value
         "#]],
-        &expect![[r#"
+        &expect![[r"
             major: command `disable_robot`, reply field `note`: removed
             major: command `enable_robot`, reply field `note`: removed
             major: command `get_joint_pos`, reply field `joint_pos`: type changed from `float[6]` to `JointPosition`
             major: command `get_version`, reply field `note`: removed
             major: command `get_version`, reply field `robot_id`: may have another shape, kept as raw JSON
             major: command `power_on`, reply field `note`: removed
-        "#]],
+        "]],
     );
 }
 

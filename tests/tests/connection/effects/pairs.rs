@@ -1,4 +1,4 @@
-//! What a setting sets is shown: by the query that the spec pairs with it, by others, and by packets.
+//! Settings are shown: by the query that the spec pairs with each, by others, and by packets.
 
 use std::sync::LazyLock;
 
