@@ -1,0 +1,99 @@
+//! Lines of commands with what they print: `transcripts/*.txt`.
+//!
+//! Each line there that begins with `$ jaka ` is run as it stands, in that folder, and what the program prints follows
+//! it, then its exit code. A new case is such a line: `UPDATE_EXPECT=1 cargo test -p jaka-cli --test suite transcripts`
+//! writes the rest. Lines that begin with `# ` stay.
+
+use std::fs;
+use std::path::Path;
+
+use expect_test::expect_file;
+
+use crate::program::{command, jaka, run};
+
+/// Runs the lines of a transcript, and compares what they print; nothing where a line cannot be run.
+pub(crate) fn check(name: &str, printed: impl Fn(&str) -> Option<String>) {
+    let path = folder().join(name);
+    let text = fs::read_to_string(&path).expect("the transcript is there");
+    let mut parts = Vec::new();
+    for line in text.lines() {
+        if let Some(words) = line.strip_prefix("$ jaka ") {
+            let Some(printed) = printed(words) else { return };
+            parts.push(format!("{line}\n{printed}"));
+        } else if line.starts_with("# ") {
+            parts.push(format!("{line}\n"));
+        }
+    }
+    assert!(!parts.is_empty(), "{name} has lines");
+    expect_file![path].assert_eq(&parts.join("\n"));
+}
+
+fn folder() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/transcripts"))
+}
+
+/// A recording of the folder.
+pub(crate) fn recording(name: &str) -> String {
+    folder().join(name).display().to_string()
+}
+
+/// Output of the program for these words, which quotes hold together as in a shell.
+fn printed(line: &str) -> Option<String> {
+    let parts = line.split('\'').enumerate();
+    let words = parts.flat_map(|(at, part)| if at % 2 == 1 { vec![part] } else { part.split_whitespace().collect() });
+    let mut command = command(words);
+    command.current_dir(folder());
+    Some(run(command, "").text())
+}
+
+#[test]
+fn calls_are_checked_before_they_are_sent() {
+    check("call_requests.txt", printed);
+}
+
+#[test]
+fn what_no_arm_does_is_refused() {
+    check("no_arm_does.txt", printed);
+}
+
+#[test]
+fn replies_are_shown_by_the_spec() {
+    check("call_replies.txt", printed);
+}
+
+#[test]
+fn packs_change_calls() {
+    check("call_packs.txt", printed);
+}
+
+#[test]
+fn what_is_wrong_on_a_line_has_one_form() {
+    check("mistakes.txt", printed);
+}
+
+#[test]
+fn status_has_a_table() {
+    check("status.txt", printed);
+}
+
+#[test]
+fn codes_and_refusals_are_explained() {
+    check("explain.txt", printed);
+}
+
+#[test]
+fn helps_say_what_commands_do() {
+    check("help.txt", printed);
+    assert_eq!(jaka(["call"]).out, jaka(["call", "--list"]).out);
+    assert!(jaka(["--version"]).out.starts_with("jaka "));
+}
+
+#[test]
+fn recordings_are_shown_and_exported() {
+    check("recordings.txt", printed);
+}
+
+#[test]
+fn specs_and_packs_are_checked_and_compared() {
+    check("spec.txt", printed);
+}
