@@ -9,8 +9,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use common::{LIMIT, Peer, assert_accepted, fresh, request, simulated, skipped};
-use jaka_sim::{Controller, Fault, StatusFault};
+use common::{LIMIT, Peer, assert_accepted, fresh, request, skipped};
+use jaka_sim::{Controller, Fault};
 
 /// Most memory that a test may take, in MiB. What it sends is far more.
 const MOST_MEMORY: usize = 64;
@@ -170,27 +170,6 @@ fn a_command_client_that_never_reads() {
     fill(&mut second.stream, request("fly").repeat(1_000).as_bytes());
     peer.read_to_end();
     assert_well(&controller, before);
-}
-
-#[test]
-fn a_status_reader_that_never_reads() {
-    let _alone = alone();
-    let ((clock, controller), before) = (simulated(), memory());
-    let mut peer = Peer::simulated_status(&controller);
-    let mut other = Peer::simulated_status(&controller);
-    let place = clock.participant();
-    let read = thread::spawn(move || place.run(|| std::io::copy(&mut other.stream, &mut std::io::sink())));
-    // It is dropped when its buffers are full, and the other one gets all.
-    controller.status_fault(StatusFault::Instead(vec![b' '; 1 << 20]));
-    for _ in 0..100 {
-        controller.publish();
-    }
-    controller.status_fault(StatusFault::None);
-    assert_well(&controller, before);
-    drop(controller);
-    let all = clock.outside(|| read.join()).expect("nothing fails there").expect("the end is not an error");
-    assert!(all > 100 << 20);
-    assert!(peer.read_to_end().len() < 100 << 20);
 }
 
 #[test]

@@ -18,38 +18,6 @@ fn moving() -> (Controller, Peer) {
 }
 
 #[test]
-fn quit_closes_the_connection_and_leaves_the_rest() {
-    let controller = fresh();
-    let mut reader = Peer::status(&controller);
-    let mut peer = Peer::commands(&controller);
-    assert_accepted(&peer.call("power_on"), "power_on");
-    assert_accepted(&peer.call("quit"), "quit");
-    assert_eq!(peer.read_to_end(), b"");
-    assert!(controller.wait_for_disconnect(LIMIT));
-    assert!(controller.state().powered);
-    controller.publish();
-    let [_, packet] = [reader.receive(), reader.receive()];
-    assert_eq!(json(&packet)["powered_on"], json("1"));
-    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
-}
-
-#[test]
-fn shutdown_closes_the_connections_of_both_ports() {
-    let controller = fresh();
-    let mut readers = [Peer::status(&controller), Peer::status(&controller)];
-    let mut peer = Peer::commands(&controller);
-    assert_accepted(&peer.call("power_on"), "power_on");
-    assert_accepted(&peer.call("shutdown"), "shutdown");
-    assert_eq!(peer.read_to_end(), b"");
-    for reader in &mut readers {
-        reader.read_to_end();
-    }
-    // Started again, so to speak.
-    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
-    assert_eq!(json(&Peer::status(&controller).receive())["powered_on"], json("0"));
-}
-
-#[test]
 fn the_connection_ends_after_a_late_reply_and_without_a_lost_one() {
     let controller = fresh();
     controller.inject(Fault::Delay(Duration::from_millis(20)));
@@ -71,21 +39,6 @@ fn a_reply_that_is_held_back_keeps_the_connection() {
     assert!(controller.wait_for_requests(1, LIMIT));
     controller.release();
     assert_accepted(&json(&peer.receive()), "quit");
-}
-
-#[test]
-fn wait_complete_is_answered_when_the_motion_has_ended() {
-    let (controller, mut peer) = moving();
-    peer.send(request("wait_complete"));
-    assert!(controller.wait_for_requests(2, LIMIT));
-    controller.advance(Duration::from_secs(1));
-    // This waits for a thread that is about to send a reply.
-    controller.release();
-    assert!(!peer.has_something(), "the arm still moves");
-    controller.advance(Duration::from_secs(1));
-    assert_accepted(&json(&peer.receive()), WAITED);
-    // At rest it is answered at once.
-    assert_accepted(&peer.call("wait_complete"), WAITED);
 }
 
 #[test]
