@@ -9,7 +9,7 @@ use crate::program::address_of;
 use crate::pseudo::on_terminal;
 use crate::transcripts;
 
-/// What a line shows on a controller, with this answer; none if there is no terminal.
+/// Output of a line on a controller, with this answer; none if there is no terminal.
 fn shown(controller: &Controller, line: &str, answer: &str) -> Option<String> {
     let (shown, code) = on_terminal(&format!("{line} {}", address_of(controller).join(" ")), answer)?;
     Some(format!("{shown}exit code {}\n", code.unwrap_or(-1)))
