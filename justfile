@@ -25,7 +25,7 @@ hostile *arguments:
 mutants *arguments:
     tests/mutation-sample {{arguments}}
 
-# Times beside serde and bare sockets: codec, round_trip, pipelining, stop_latency, guard_reaction, planning, pacing.
+# Times beside serde and bare sockets: codec, round_trip, stop_latency, guard_reaction, planning.
 bench name *arguments:
     cargo bench --manifest-path benches/Cargo.toml --bench {{name}} -- {{arguments}}
 

@@ -13,7 +13,7 @@ use jaka_robot::{Client, Config, Monitor, Robot, RobotConfig, ServoConfig};
 fn commands() -> SocketAddr {
     let listener = TcpListener::bind("127.0.0.1:0").expect("loopback has free ports");
     let address = listener.local_addr().expect("it is bound");
-    thread::spawn(move || canned::serve(&listener, 0));
+    thread::spawn(move || canned::serve(&listener));
     address
 }
 

@@ -6,7 +6,6 @@ use expect_test::expect;
 use jaka_tests::Arm;
 use serde_json::Value;
 
-use crate::common::{jaka, output};
 use crate::program::{self, address_of, command, run};
 
 #[test]
@@ -29,45 +28,6 @@ fn a_simulated_arm_needs_no_consent() {
     let power = report["findings"].as_array().expect("it is one").iter().find(|finding| finding["item"] == "power");
     assert_eq!(power.expect("each item has one")["advice"], "switch it on: `power_on`");
     assert_eq!((&report["verdict"], code), (&"look".into(), Some(8)));
-}
-
-#[test]
-fn the_help_has_an_example() {
-    let (help, _, code) = output(&mut jaka(&["check", "--help"]));
-    assert_eq!(code, Some(0));
-    assert!(help.contains("Examples:\n  jaka check -r 10.5.5.100\n"), "{help}");
-    let help = help.split("Robot:").next().unwrap_or_default();
-    expect![[r#"
-        Check a robot before its use: ports, power, stops, payload, rates, model; changes nothing
-
-        Each item is `nothing found`, `look`, `wrong` or `not checked`, with the observation and a remedy.
-        This command only reads: it sends queries, and reads status packets for a second. The command port
-        serves one client: another program that is connected there may be disconnected, so this command asks
-        first.
-
-        Usage: jaka check [OPTIONS]
-
-        Options:
-              --json
-                  Print one JSON object: `robot`, `verdict`, `findings`, `at_the_pendant` and `note`
-
-              --model <NAME>
-                  Model of the arm, such as zu5 [default: the published one that agrees with the controller]
-
-              --limits <FILE>
-                  TOML file with the limits of the arm and its model
-
-          -y, --yes
-                  Connect to the command port without asking
-
-              --pack <FILE>
-                  Command pack: a TOML file that adds to the protocol; repeat it for more [env: JAKA_PACK]
-
-          -h, --help
-                  Print help (see a summary with '-h')
-
-    "#]]
-    .assert_eq(help);
 }
 
 /// Checks a controller that has a stop in words of its own, and an error code that is a number, by a pack.

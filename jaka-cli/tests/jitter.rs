@@ -6,7 +6,6 @@ use expect_test::expect;
 use jaka_tests::Arm;
 use serde_json::Value;
 
-use crate::common::{jaka, output};
 use crate::program::{Run, address_of, command, run};
 
 fn jitter(options: &[&str]) -> Run {
@@ -112,39 +111,4 @@ fn a_robot_of_the_environment_is_left_alone() {
     let report = report(&run(program, ""));
     assert!(report["round_trip"].is_null());
     assert_eq!(report["advice"][3]["verdict"], "not_measured");
-}
-
-#[test]
-fn the_help_says_what_is_measured() {
-    let (help, _, code) = output(&mut jaka(&["jitter", "--help"]));
-    assert_eq!(code, Some(0));
-    assert!(help.contains("Examples:\n  jaka jitter\n"), "{help}");
-    let help = help.split("Robot:").next().unwrap_or_default();
-    expect![[r#"
-        Measure the lateness of this machine's set-point cycles, and the reply times of a robot; moves
-        nothing
-
-        The program waits for cycles of 8 ms as a servo session does: asleep, and spinning for the last 200
-        µs, each with the usual priority of the thread and with a real-time one, in turns. Advice on changes
-        follows from the figures. With --robot or --sim, it sends queries first, one every 8 ms; it does not
-        contact a robot that only the environment or the config file names. The command port serves one
-        client: another program that is connected there may be disconnected, so this command asks first.
-
-        Usage: jaka jitter [OPTIONS]
-
-        Options:
-              --seconds <SECONDS>
-                  Duration of the whole measurement [default: 60]
-
-              --json
-                  Print one JSON object: `jaka`, `period_us`, `lateness`, `round_trip` and `advice`
-
-          -y, --yes
-                  Connect to the command port without asking
-
-          -h, --help
-                  Print help (see a summary with '-h')
-
-    "#]]
-    .assert_eq(help);
 }

@@ -18,34 +18,6 @@ fn printed(args: &[&str]) -> String {
     stdout
 }
 
-#[test]
-fn a_table_shows_the_usual_fields() {
-    expect![[r#"
-        powered_on             true
-        enabled                true
-        in_position            true
-        protective_stop        false
-        emergency_stop         false
-        drag_status            false
-        task_mode              Manual (1)
-        interpreter_state      Idle (0)
-        rapid_rate             1.000
-        error_code             0x10f0004 (information: the robot is enabled)
-        error_message          the robot is enabled
-        joint_actual_position  0.000  90.000  90.000  90.000  -90.000  0.000 deg
-        actual_position.x      -482.000 mm
-        actual_position.y      114.000 mm
-        actual_position.z      443.150 mm
-        actual_position.rx     180.000 deg
-        actual_position.ry     0.000 deg
-        actual_position.rz     90.000 deg
-        tcp_speed              0.000 mm/s
-        current_tool_id        0
-        current_user_frame_id  0
-    "#]]
-    .assert_eq(&printed(&["--sim", "--sim-powered"]));
-}
-
 /// Output of the program for a controller whose status packets have this `errcode`.
 fn printed_with_code(code: &str, args: &[&str]) -> String {
     let controller = Arm::real_time().without_power().start();
@@ -92,20 +64,6 @@ fn json_has_the_severity_and_meaning_of_the_event() {
         "error_code":"fine","event_severity":"unknown","event_meaning":null,"event_cause":null,"event_remedy":null}
     "#]]
     .assert_eq(&lines.concat());
-}
-
-#[test]
-fn other_models_have_other_poses() {
-    expect![[r#"
-        actual_position.x   -686.500 mm
-        actual_position.y   131.500 mm
-        actual_position.z   634.150 mm
-        actual_position.rx  180.000 deg
-        actual_position.ry  0.000 deg
-        actual_position.rz  90.000 deg
-        task_state          PoweredOff (1)
-    "#]]
-    .assert_eq(&printed(&["--sim=zu12", "--fields", "actual_position,task_state"]));
 }
 
 #[test]
@@ -162,15 +120,6 @@ fn raw_is_what_came() {
     let text = printed(&["--sim", "--raw"]);
     let length = serde_json::from_str::<serde_json::Value>(&text).unwrap()["len"].as_u64();
     assert_eq!(length, u64::try_from(text.trim_end().len()).ok());
-}
-
-#[test]
-fn a_name_that_does_not_exist_has_near_ones() {
-    let failed = failure(&mut jaka(&["status", "--sim", "--fields", "enabled,joint_actual_pos"]));
-    expect![[r#"
-        error: there is no status field `joint_actual_pos`; similar names: `joint_actual_position`
-        exit code Some(2)"#]]
-    .assert_eq(&failed);
 }
 
 #[test]
@@ -283,16 +232,6 @@ fn a_condition_that_does_not_come_in_time_is_a_failure() {
     assert!(stderr.starts_with("error: `enabled` was not true within 1s; "), "{stderr}");
     assert_eq!(code, Some(27));
     drop(controller);
-}
-
-#[test]
-fn a_condition_that_is_none_is_pointed_at() {
-    expect![[r#"
-        error: `--until`, column 12: there is no status field `in_postion`; similar names: `in_position`
-          enabled && in_postion
-                     ^
-        exit code Some(2)"#]]
-    .assert_eq(&failure(&mut jaka(&["status", "--sim", "--until", "enabled && in_postion"])));
 }
 
 #[cfg(unix)]

@@ -30,4 +30,5 @@ mod status;
 mod stop;
 mod target;
 mod terminal;
+mod transcripts;
 mod verbs;

@@ -20,13 +20,6 @@ fn config(name: &str, text: &str) -> PathBuf {
 }
 
 #[test]
-fn without_an_address_the_ways_to_give_one_are_named() {
-    expect![[r#"
-        error: no robot is given; name its address with `--robot ADDRESS`, with the environment variable JAKA_ROBOT, or with `robot = "NAME"` in the config file; or try a simulated one with `--sim`
-        exit code Some(2)"#]].assert_eq(&failure(&mut jaka(&["status"])));
-}
-
-#[test]
 fn the_config_file_has_robots_by_name() {
     let controller = Arm::real_time().without_power().start();
     let port = controller.status_addr().port();
@@ -63,11 +56,6 @@ fn a_config_file_that_is_wrong_is_named_with_the_line() {
     expect![[r#"
         error: wrong.toml:3: unknown field `port`, expected one of `address`, `pack`, `command_port`, `status_port`, `timeout`, `connect_timeout`, `stale_after`
         exit code Some(2)"#]].assert_eq(&failed.replace(&folder, ""));
-    let failed = failure(&mut jaka(&["status", "-r", "cell1", "--config", "nowhere.toml"]));
-    expect![[r#"
-        error: the config file nowhere.toml does not exist
-        exit code Some(2)"#]]
-    .assert_eq(&failed);
 }
 
 #[test]

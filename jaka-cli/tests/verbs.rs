@@ -381,46 +381,12 @@ fn a_jog_of_a_joint_is_compared_with_limits_and_runs() {
 }
 
 #[test]
-fn a_move_of_joints_is_compared_with_limits_and_runs() {
-    let controller = Arm::real_time().start();
-    let run = run(&controller, "move --joints -1,90,90,90,-90,0 --speed 20 --model zu5 --yes");
-    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
-}
-
-#[test]
 fn what_is_beyond_a_limit_is_not_sent() {
     let controller = Arm::real_time().start();
     let run = run(&controller, "move --joints 0,90,176,90,-90,0 --speed 10 --acceleration 50 --model zu5 --yes");
     assert_eq!(run.code, Some(20), "{run:?}");
     assert!(run.err.contains("joint 3 would be at 176 deg; limit 175 (Zu 5)"), "{run:?}");
     assert!(changes(&controller).iter().all(|request| !request.contains("joint_move")));
-}
-
-#[test]
-fn what_is_wrong_on_the_line_is_told() {
-    let text = |line: &str| jaka(line.split(' ')).text();
-    expect![[r"
-        error: `--joints <DEG,...>` cannot be `0,90`: six numbers with commas between them are needed, such as 0,90,90,90,-90,0
-        hint: `jaka move --help` lists commands and options
-        exit code 2
-    "]].assert_eq(&text("move --joints 0,90 --speed 10 --sim"));
-    expect![[r"
-        error: `--joints <DEG,...>` or `--pose <X,Y,Z,RX,RY,RZ>` is missing
-        hint: `jaka move --help` lists commands and options
-        exit code 2
-    "]]
-    .assert_eq(&text("move --speed 10 --sim"));
-    expect![[r"
-        error: `<AXIS>` cannot be `7`: there are joints 1 to 6, and the axes x, y and z
-        hint: `jaka jog --help` lists commands and options
-        exit code 2
-    "]]
-    .assert_eq(&text("jog 7 5 --speed 10 --sim"));
-    expect![[r#"
-        error: `joint_move` was not sent: field `speed` is 100000, allowed is more than 0, at most 265 deg/s
-        exit code 2
-    "#]]
-    .assert_eq(&text("jog 1 5 --speed 100000 --sim"));
 }
 
 #[cfg(unix)]

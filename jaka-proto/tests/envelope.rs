@@ -211,7 +211,9 @@ fn a_bare_tuple_is_read_as_the_field_it_stands_for_and_only_where_it_may_be_one(
     let read = |reply: &str| read_payload::<GetExtioStatusReply>(GetExtioStatus::INFO, reply);
     let wrapped = format!(r#"{{"errorCode": "0", "cmdName": "get_extio_status", "extio_status": "{bare}"}}"#);
     let expected = read(&wrapped).expect("the document's form");
+    assert_eq!((expected.extio_status.count, expected.extio_status.modules.len()), (0, 0));
     assert_eq!(read(bare).expect("as firmware without modules answers"), expected);
+    assert_eq!(read("(0, [)").expect_err("no literal").field(), "extio_status");
     assert_eq!(read(&format!(" {bare}\n")).expect("blanks around it"), expected);
     assert!(read_payload::<GetJointPosReply>(GetJointPos::INFO, bare).is_err());
 }

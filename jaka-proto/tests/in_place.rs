@@ -284,15 +284,6 @@ fn both<R: jaka_proto::wire::Fields + PartialEq + std::fmt::Debug>(text: &str) {
 }
 
 #[test]
-fn a_bare_tuple_has_no_envelope() {
-    let info = jaka_proto::messages::io::GetExtioStatus::INFO;
-    let text = "(0, [], {'state': 0})";
-    let reply = read_reply::<jaka_proto::messages::io::GetExtioStatusReply>(info, text).expect("it is one");
-    assert_eq!(reply.envelope, None);
-    assert_eq!(reply.payload, Some(read_payload(info, text)));
-}
-
-#[test]
 fn what_is_passed_over_ends_where_it_ends() {
     for value in ["[1, [\"]\", {}], 2]", r#"{"a": {"b": "}\""}, "c": [1]}"#, "\"a\\\"b\"", "-1.5e3", "true", "null"] {
         let text = format!("[{value} , 7]");

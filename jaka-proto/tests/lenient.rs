@@ -1,7 +1,6 @@
 //! Every drift that the field notes list decodes; what is no such drift is an error that names the field.
 
 use jaka_proto::messages::collision::ProtectiveStopStatusReply;
-use jaka_proto::messages::io::GetExtioStatusReply;
 use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply, PowerOn};
 use jaka_proto::messages::program::{GetProgramStateReply, ProgramState};
@@ -206,18 +205,6 @@ fn a_value_that_may_be_raw_is_written_in_its_own_form() {
     let status: RobotStatus = read(packet).expect("the packet decodes");
     assert_eq!(status.homed, Some(Typed::Known(vec![false, true, true])));
     assert_eq!(serde_json::to_string(&status).expect("it serialises"), r#"{"enabled":true,"homed":[0,1,1]}"#);
-}
-
-#[test]
-fn extension_modules_in_both_forms() {
-    let info = jaka_proto::messages::io::GetExtioStatus::INFO;
-    let inside = r#"{"errorCode": "0", "extio_status": "(0, [], {'state': 0})", "cmdName": "get_extio_status"}"#;
-    let from_string: GetExtioStatusReply = read_payload(info, inside).expect("the form inside a string");
-    let from_bare: GetExtioStatusReply = read_payload(info, "(0, [], {'state': 0})").expect("the bare form");
-    assert_eq!(from_string, from_bare);
-    assert_eq!((from_bare.extio_status.count, from_bare.extio_status.modules.len()), (0, 0));
-    let error = read_payload::<GetExtioStatusReply>(info, "(0, [)").expect_err("no literal");
-    assert_eq!(error.field(), "extio_status");
 }
 
 #[test]

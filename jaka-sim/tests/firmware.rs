@@ -235,15 +235,3 @@ fn a_value_that_a_pack_does_not_allow_in_a_reply_is_not_replaced_by_another() {
         assert_eq!(reply.get("mass").is_some(), code == "0", "{mass}: {reply}");
     }
 }
-
-#[test]
-fn a_command_of_a_pack_is_unknown_to_older_firmware() {
-    let text = "[[command]]\nwire = 'demo_brakes'\neffect = 'query'\nsince = '1.9'\ndoc = 'D.'\n[[command.reply]]\nwire = \
-                'brakes'\ntype = 'int'\ndoc = 'D.'\n";
-    let controller = at_rest().pack(pack("since", text)).start().expect("the pack is correct");
-    let mut peer = Peer::commands(&controller);
-    assert_eq!(peer.call("demo_brakes")["errorMsg"], *"Exception:function call failed");
-    controller.set_state(|state| "1.9.1".clone_into(&mut state.version));
-    let reply = peer.call("demo_brakes");
-    assert_eq!((&reply["errorCode"], &reply["brakes"]), (&"0".into(), &0.into()), "{reply}");
-}

@@ -308,23 +308,6 @@ fn a_reply_that_waits_for_power_is_sent_when_power_is_given_up() {
 }
 
 #[test]
-fn real_firmware_enters_servo_mode_at_once_on_an_idle_arm_and_never_while_it_moves() {
-    for firmware in [Firmware::V1_5_14, Firmware::Newer] {
-        let (controller, mut peer) = real(firmware);
-        controller.set_state(|state| (state.powered, state.enabled) = (true, true));
-        let enter = r#"{"cmdName":"servo_move","relFlag":1}"#;
-        assert_accepted(&peer.ask(enter), "servo_move");
-        assert!(controller.state().servo_mode);
-        assert_accepted(&peer.ask(r#"{"cmdName":"servo_move","relFlag":0}"#), "servo_move");
-        assert_accepted(&peer.ask(&turn(10.0, 50.0)), "joint_move");
-        controller.advance(CYCLE * 10);
-        assert_accepted(&peer.ask(enter), "servo_move");
-        until_rest(&controller);
-        assert!(!controller.state().servo_mode, "{firmware}");
-    }
-}
-
-#[test]
 fn a_habit_of_the_firmware_can_be_left_out() {
     let events = |habits: Habits| {
         let builder = Controller::builder().delays(Delays::NONE).stepped_clock().habits(habits);
@@ -332,6 +315,7 @@ fn a_habit_of_the_firmware_can_be_left_out() {
     };
     let usual = Firmware::V1_5_14.habits();
     assert_eq!(usual, Habits::from([Habit::LatePower, Habit::ServoAtRest, Habit::DisableMoving, Habit::Events]));
+    assert_eq!(Firmware::Newer.habits(), Habits::from([Habit::ServoAtRest, Habit::Events]));
     assert_eq!(events(usual), "0x10f0004");
     assert_eq!(events(usual.iter().filter(|habit| *habit != Habit::Events).collect()), "0x0");
 }

@@ -22,15 +22,6 @@ fn asked(faults: impl IntoIterator<Item = Fault>, request: &str) -> (SimulatedCl
 }
 
 #[test]
-fn a_reply_comes_later() {
-    let (clock, controller, mut peer) = asked([Fault::Delay(DELAY)], &request("power_on"));
-    assert!(controller.state().powered);
-    assert_accepted(&json(&peer.receive()), "power_on");
-    assert_eq!(clock.elapsed(), DELAY);
-    peer.assert_quiet();
-}
-
-#[test]
 fn later_replies_wait_and_keep_their_faults() {
     let faults = [Fault::Delay(DELAY), Fault::Twice, Fault::Delay(Duration::ZERO), Fault::Drop];
     let (clock, controller, mut peer) = asked(faults, &request("power_on"));

@@ -112,18 +112,6 @@ fn a_newcomer_does_not_wait_for_a_write_on_a_link_that_is_held_since() {
 }
 
 #[test]
-fn controllers_live_side_by_side() {
-    let controllers: Vec<_> = (0..8).map(|_| fresh()).collect();
-    let mut peers: Vec<_> = controllers.iter().map(Peer::commands).collect();
-    for peer in peers.iter_mut().step_by(2) {
-        assert_accepted(&peer.call("power_on"), "power_on");
-    }
-    let powered: Vec<_> = controllers.iter().map(|controller| controller.state().powered).collect();
-    assert_eq!(powered, [true, false].repeat(4));
-    assert!(format!("{:?}", controllers[0]).contains("127.0.0.1"));
-}
-
-#[test]
 fn disconnecting_closes_connections_and_lets_new_ones_in() {
     let controller = fresh();
     for _ in 0..20 {

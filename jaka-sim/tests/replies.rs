@@ -78,8 +78,9 @@ fn replies(controller: &Controller, requests: &[(String, bool)]) -> Vec<String> 
 fn replies_mean_the_same_for_every_firmware() {
     let requests = requests(&spec());
     let plain = replies(&start(Firmware::Document), &requests);
-    let accepted = plain.iter().filter(|reply| json(reply)["errorCode"] == "0").count();
-    assert!(accepted * 10 > requests.len() * 8, "{accepted} of {}", requests.len());
+    let refused: Vec<_> = plain.iter().map(|reply| json(reply)).filter(|reply| reply["errorCode"] != "0").collect();
+    // A file that has been renamed before.
+    assert_eq!(refused.iter().map(|reply| reply["cmdName"].clone()).collect::<Vec<_>>(), ["remove_traj_file"]);
     for firmware in Firmware::ALL {
         let replies = replies(&start(*firmware), &requests);
         for (((text, _), plain), reply) in requests.iter().zip(&plain).zip(&replies) {

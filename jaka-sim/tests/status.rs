@@ -3,10 +3,9 @@
 use std::thread;
 use std::time::Duration;
 
-use crate::common::{LIMIT, Peer, fresh, json, simulated, stepped};
+use crate::common::{Peer, fresh, json, simulated, stepped};
 use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::{Decode, Reader, Typed, Value};
-use jaka_sim::Controller;
 
 /// The keys of the document's sample, in its order, and the lengths of its arrays.
 const SAMPLE: [(&str, usize); 36] = [
@@ -165,21 +164,6 @@ fn readers_share_what_is_published() {
 }
 
 #[test]
-fn packets_come_by_themselves() {
-    let controller = Controller::builder().status_period(Duration::from_millis(1)).start().expect("loopback has ports");
-    let mut readers = [Peer::status(&controller), Peer::status(&controller)];
-    for _ in 0..20 {
-        for reader in &mut readers {
-            assert_eq!(typed(&reader.receive()).powered_on, Some(false));
-        }
-    }
-    controller.set_state(|state| state.powered = true);
-    for reader in &mut readers {
-        while typed(&reader.receive()).powered_on != Some(true) {}
-    }
-}
-
-#[test]
 fn a_reader_who_does_not_read_is_dropped_and_delays_no_other() {
     // More than the kernel takes for a reader who does not read.
     const MUCH: usize = 64 << 20;
@@ -200,22 +184,4 @@ fn a_reader_who_does_not_read_is_dropped_and_delays_no_other() {
     assert!(slow.read_to_end().len() < MUCH);
     controller.publish();
     assert_eq!(typed(&reader.receive()).powered_on, Some(false));
-}
-
-#[test]
-fn readers_may_leave_and_come() {
-    let controller = fresh();
-    for _ in 0..20 {
-        let mut reader = Peer::status(&controller);
-        controller.publish();
-        reader.receive();
-        reader.receive();
-    }
-    controller.publish();
-    controller.disconnect();
-    let mut reader = Peer::status(&controller);
-    reader.receive();
-    controller.disconnect();
-    assert_eq!(reader.read_to_end(), b"");
-    assert!(controller.wait_for_disconnect(LIMIT));
 }

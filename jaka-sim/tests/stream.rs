@@ -1,9 +1,7 @@
 //! Requests in pieces of any size, and clients of any kind.
 
-use std::io::{ErrorKind, Write};
-
-use crate::common::{LIMIT, Peer, assert_accepted, assert_unknown, fresh, json, request};
-use jaka_sim::{Controller, Delays, Takeover};
+use crate::common::{Peer, assert_accepted, assert_unknown, fresh, json, request};
+use jaka_sim::{Controller, Takeover};
 
 const MOVE: &str = r#"{"cmdName": "set_user_offsets", "userffset": [1,2,3,4,5,6], "id": 2, "name": "}\"{\\"}"#;
 
@@ -23,18 +21,6 @@ fn requests_in_one_write_are_answered_in_order() {
 }
 
 #[test]
-fn many_requests_are_answered_before_a_reply_is_read() {
-    let controller = fresh();
-    let mut peer = Peer::commands(&controller);
-    let count = 2_000;
-    peer.send(request("get_joint_pos").repeat(count));
-    for _ in 0..count {
-        assert_accepted(&json(&peer.receive()), "get_joint_pos");
-    }
-    assert!(controller.wait_for_requests(count, LIMIT));
-}
-
-#[test]
 fn requests_may_be_cut_at_every_byte() {
     let controller = fresh();
     let mut peer = Peer::commands(&controller);
@@ -50,32 +36,6 @@ fn requests_may_be_cut_at_every_byte() {
     assert_accepted(&json(&peer.receive()), "set_user_offsets");
     assert_eq!(controller.state().user_frames[2].name, "}\"{\\");
     assert!(controller.requests().iter().all(|request| request == MOVE));
-}
-
-#[test]
-fn a_request_may_wait_for_its_end() {
-    let controller = fresh();
-    let mut peer = Peer::commands(&controller);
-    peer.send(request("power_on") + &MOVE[..20]);
-    assert_accepted(&json(&peer.receive()), "power_on");
-    assert_eq!(controller.requests().len(), 1);
-    peer.send(&MOVE[20..]);
-    assert_accepted(&json(&peer.receive()), "set_user_offsets");
-}
-
-#[test]
-fn a_newcomer_is_refused() {
-    let controller =
-        Controller::builder().delays(Delays::NONE).takeover(Takeover::Refuse).start().expect("loopback has ports");
-    let mut old = Peer::commands(&controller);
-    assert_accepted(&old.call("power_on"), "power_on");
-    for _ in 0..10 {
-        assert_eq!(Peer::commands(&controller).read_to_end(), b"");
-        assert_accepted(&old.call("get_version"), "get_version");
-    }
-    drop(old);
-    assert!(controller.wait_for_disconnect(LIMIT));
-    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
 }
 
 #[test]
@@ -127,23 +87,6 @@ fn objects_that_are_no_requests_do_no_harm() {
     let number = format!("{{\"cmdName\":\"rapid_rate\",\"rate_value\":1e{}}}", "9".repeat(1000));
     assert_eq!(peer.ask(&number)["errorCode"], "2");
     assert_eq!(controller.requests().len(), 7);
-}
-
-#[test]
-fn a_request_that_does_not_end_is_cut_off() {
-    let controller = fresh();
-    let mut peer = Peer::commands(&controller);
-    let mut sent = 0_usize;
-    let error = loop {
-        match peer.stream.write_all(&[b'{'; 4096]) {
-            Ok(()) => sent += 4096,
-            Err(error) => break error,
-        }
-        assert!(sent < 64 << 20, "the controller takes it all");
-    };
-    assert!(matches!(error.kind(), ErrorKind::BrokenPipe | ErrorKind::ConnectionReset), "{error}");
-    assert!(controller.requests().is_empty());
-    assert_accepted(&Peer::commands(&controller).call("get_version"), "get_version");
 }
 
 #[test]

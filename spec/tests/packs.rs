@@ -42,58 +42,6 @@ type = "int"
 doc = "How many motions are queued."
 "#;
 
-#[test]
-fn a_new_command_is_in_a_topic_of_its_own() {
-    let pack = pack(MOTION_STATE);
-    let spec = &pack.spec;
-    assert_eq!(spec.commands().count(), self::spec().commands().count() + 1);
-    assert!(spec.command("demo_motion_state").is_some());
-    let topic = spec.topics.last().expect("there are topics");
-    assert_eq!((&*topic.name, topic.commands.len(), &*pack.notes), ("newer", 1, &[][..]));
-    assert_eq!(module(MOTION_STATE), "demo_motion_state");
-}
-
-#[test]
-fn a_field_is_added_to_a_command() {
-    let text = r#"
-[[extend]]
-target = "joint_move"
-
-[[extend.request]]
-wire = "zone"
-type = "float"
-unit = "mm"
-optional = true
-since = "1.7.1"
-doc = "How far from the target the next motion may begin."
-"#;
-    let pack = pack(text);
-    let command = pack.spec.command("joint_move").expect("the spec has it");
-    let Request::Fields(fields) = &command.request else { panic!("joint_move has fields") };
-    let last = fields.last().expect("it has fields");
-    assert_eq!(
-        (&*last.wire, last.versions.since.as_ref().map(ToString::to_string).as_deref()),
-        ("zone", Some("1.7.1"))
-    );
-    assert_eq!(pack.spec.commands().count(), spec().commands().count());
-    assert_eq!(module(text), "joint_move_newer");
-}
-
-#[test]
-fn keys_are_added_to_the_status_packet() {
-    let text = r#"
-[[extend]]
-target = "RobotStatus"
-
-[[extend.field]]
-wire = "brake_state"
-type = "int"
-optional = true
-doc = "State of the brakes."
-"#;
-    assert_eq!(module(text), "get_data_newer RobotStatus");
-}
-
 /// A command whose reply has the keys of a named type.
 const WHOLE_STATE: &str = r#"
 [[command]]
@@ -102,15 +50,6 @@ effect = "query"
 reply = "RobotStatus"
 doc = "Reads what a status packet says."
 "#;
-
-#[test]
-fn a_reply_can_be_the_status_object() {
-    let pack = pack(WHOLE_STATE);
-    let command = pack.spec.command("read_whole_state").expect("the pack has it");
-    assert_eq!(pack.spec.reply_fields(command), pack.spec.status_fields());
-    assert_eq!((command.reply.object(), command.reply_type()), (pack.spec.status_type(), None));
-    assert_eq!(module(WHOLE_STATE), "read_whole_state");
-}
 
 #[test]
 fn a_reply_changes_with_the_type_that_it_is() {
@@ -395,16 +334,6 @@ fn a_key_is_renamed() {
     assert_eq!(status(&pack(text)), "at_target");
     let after = upgraded(text, text);
     assert_eq!((status(&after), names(&after)), ("at_target".to_owned(), names(&pack(text))));
-}
-
-#[test]
-fn a_truth_value_is_written_otherwise() {
-    let pack = pack(
-        "\n[[override]]\ntarget = \"RobotStatus\"\nfield = \"protective_stop\"\nwritten = [\"free\", \"stopped\"]\n",
-    );
-    let field = pack.spec.status_fields().iter().find(|field| field.name == "protective_stop");
-    let written = field.and_then(|field| field.ty.scalar()).map(|scalar| format!("{scalar:?}"));
-    expect![[r#"Bool { off: "\"free\"", on: "\"stopped\"" }"#]].assert_eq(&written.expect("it is a truth value"));
 }
 
 #[test]

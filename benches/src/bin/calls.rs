@@ -1,11 +1,9 @@
 //! Does one thing a number of times and nothing else, for tools that count: `calls WHAT COMMANDS STATUS COUNT`, where
-//! WHAT is `call` for calls with their replies, `servo` for set-points of a session, or `pipeline` for set-points
-//! without a cycle.
+//! WHAT is `call` for calls with their replies, or `servo` for set-points of a session.
 
 use std::error::Error;
 use std::time::Duration;
 
-use jaka_robot::servo::ServoJ;
 use jaka_robot::{Client, Config, Monitor, Robot, RobotConfig, ServoConfig};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -16,7 +14,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let count = count.parse()?;
     match &**what {
         "call" => call(commands, count),
-        "pipeline" => pipeline(commands, count),
         "servo" => servo(commands, status, count),
         other => Err(format!("`{other}` is not known").into()),
     }
@@ -27,17 +24,6 @@ fn call(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
     for _ in 0..count {
         std::hint::black_box(client.get_joint_pos()?.joint_position);
     }
-    Ok(())
-}
-
-fn pipeline(commands: &str, count: u32) -> Result<(), Box<dyn Error>> {
-    let mut client = Client::connect(commands)?;
-    let mut pipeline = client.pipeline(64);
-    for _ in 0..count {
-        let joint_position = [0.1, 0.0, 0.0, 0.0, 0.0, -0.1];
-        pipeline.send(&ServoJ::relative(joint_position).step_count(1.into()))?;
-    }
-    pipeline.finish()?;
     Ok(())
 }
 

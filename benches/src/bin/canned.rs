@@ -1,16 +1,14 @@
-//! The server with printed answers, as a process: `canned [LATE]`.
+//! The server with printed answers, as a process. It ends when its standard input does, that is with its parent.
 
 use std::io;
 use std::net::TcpListener;
 use std::thread;
 
-use jaka_benches::system::{canned, child};
+use jaka_benches::system::canned;
 
 fn main() -> io::Result<()> {
-    let late = std::env::args().nth(1).map_or(Ok(0), |text| text.parse()).map_err(io::Error::other)?;
-    let (commands, status) = (TcpListener::bind("127.0.0.1:0")?, TcpListener::bind("127.0.0.1:0")?);
-    println!("{} {}\n", commands.local_addr()?, status.local_addr()?);
-    thread::spawn(move || canned::serve(&commands, late));
-    thread::spawn(move || canned::keep_silent(&status));
-    child::wait_for_parent()
+    let commands = TcpListener::bind("127.0.0.1:0")?;
+    println!("{}", commands.local_addr()?);
+    thread::spawn(move || canned::serve(&commands));
+    io::copy(&mut io::stdin(), &mut io::sink()).map(drop)
 }

@@ -12,12 +12,7 @@ pub const JOINTS_REQUEST: &[u8] = br#"{"cmdName":"get_joint_pos"}"#;
 /// Its reply, of a fixed shape, with floats in full precision, spaced as controllers do.
 pub const JOINTS_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_joint_pos", "joint_pos": [-12.354189, 89.99987654321012, 45.123456, -90.000314159265, 0.001235, 178.98765432109877]}"#;
 
-/// A set-point.
-pub const SET_POINT: &[u8] =
-    br#"{"cmdName":"servo_j","relFlag":1,"jointPosition":[0.1,0.0,0.0,0.0,0.0,-0.1],"stepNum":1}"#;
-
-/// The answer to a set-point.
-pub const SET_POINT_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "servo_j"}"#;
+const SET_POINT_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "servo_j"}"#;
 
 const POSE_REPLY: &[u8] = br#"{"errorCode": "0", "errorMsg": "", "cmdName": "get_tcp_pos", "tcp_pos": [-458.6, 13.9, 443.8, 179.4, 1.2, 96.8]}"#;
 
@@ -31,17 +26,14 @@ const NOT_IN_SERVO_MODE_REPLY: &[u8] =
 
 /// Serves each client in a thread of its own.
 ///
-/// The answers to set-points are late by this many set-points; those to any other command come at once, after what is
-/// late.
-///
 /// # Errors
 /// No more connections are accepted.
-pub fn serve(listener: &TcpListener, late: usize) -> io::Result<()> {
+pub fn serve(listener: &TcpListener) -> io::Result<()> {
     loop {
         let (stream, _) = listener.accept()?;
         stream.set_nodelay(true)?;
         // A client that is gone is not an error.
-        thread::spawn(move || attend(stream, late).ok());
+        thread::spawn(move || attend(stream).ok());
     }
 }
 
@@ -56,9 +48,8 @@ pub fn keep_silent(listener: &TcpListener) -> io::Result<()> {
     }
 }
 
-fn attend(mut stream: TcpStream, late: usize) -> io::Result<()> {
-    let (mut buffer, mut end) = (vec![0; 64 << 10], 0);
-    let mut answers = Answers { late, held: 0, in_servo_mode: false, out: Vec::new() };
+fn attend(mut stream: TcpStream) -> io::Result<()> {
+    let (mut buffer, mut end, mut out, mut in_servo_mode) = (vec![0; 64 << 10], 0, Vec::new(), false);
     loop {
         let len = stream.read(&mut buffer[end..])?;
         if len == 0 {
@@ -68,51 +59,25 @@ fn attend(mut stream: TcpStream, late: usize) -> io::Result<()> {
         let mut start = 0;
         // No request in use here has an object inside.
         while let Some(len) = buffer[start..end].iter().position(|byte| *byte == b'}') {
-            answers.to(&buffer[start..=start + len])?;
+            let request = &buffer[start..=start + len];
+            let name = request.split(|byte| *byte == b'"').nth(3).unwrap_or_default();
+            if name == b"servo_move" {
+                in_servo_mode = request.ends_with(b":1}");
+            }
+            out.extend_from_slice(match name {
+                b"servo_j" => SET_POINT_REPLY,
+                b"get_joint_pos" => JOINTS_REPLY,
+                b"get_tcp_pos" => POSE_REPLY,
+                b"servo_move" => SERVO_MODE_REPLY,
+                b"is_in_servomove" if in_servo_mode => IN_SERVO_MODE_REPLY,
+                b"is_in_servomove" => NOT_IN_SERVO_MODE_REPLY,
+                _ => return Err(io::Error::other("a request without a printed answer")),
+            });
             start += len + 1;
         }
         buffer.copy_within(start..end, 0);
         end -= start;
-        stream.write_all(&answers.out)?;
-        answers.out.clear();
-    }
-}
-
-struct Answers {
-    late: usize,
-    held: usize,
-    in_servo_mode: bool,
-    out: Vec<u8>,
-}
-
-impl Answers {
-    fn to(&mut self, request: &[u8]) -> io::Result<()> {
-        let name = request.split(|byte| *byte == b'"').nth(3).unwrap_or_default();
-        if name == b"servo_j" {
-            self.held += 1;
-            let due = self.held.saturating_sub(self.late);
-            self.release(due);
-            return Ok(());
-        }
-        self.release(self.held);
-        if name == b"servo_move" {
-            self.in_servo_mode = request.ends_with(b":1}");
-        }
-        self.out.extend_from_slice(match name {
-            b"get_joint_pos" => JOINTS_REPLY,
-            b"get_tcp_pos" => POSE_REPLY,
-            b"servo_move" => SERVO_MODE_REPLY,
-            b"is_in_servomove" if self.in_servo_mode => IN_SERVO_MODE_REPLY,
-            b"is_in_servomove" => NOT_IN_SERVO_MODE_REPLY,
-            _ => return Err(io::Error::other("a request without a printed answer")),
-        });
-        Ok(())
-    }
-
-    fn release(&mut self, count: usize) {
-        self.held -= count;
-        for _ in 0..count {
-            self.out.extend_from_slice(SET_POINT_REPLY);
-        }
+        stream.write_all(&out)?;
+        out.clear();
     }
 }

@@ -89,13 +89,8 @@ pub fn alternate(contenders: &mut [Contender<'_>], rounds: usize) -> Result<(), 
 /// The median of the ratios of two contenders' medians, round by round.
 pub fn ratio_of_rounds(ours: &Samples, limit: &Samples) -> f64 {
     let mut ratios: Vec<_> = ours.medians().iter().zip(limit.medians()).map(|(ours, limit)| ours / limit).collect();
-    median(&mut ratios)
-}
-
-/// The median; not a number if there is none.
-pub fn median(values: &mut [f64]) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+    ratios.sort_unstable_by(f64::total_cmp);
+    ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 fn percentile(samples: &mut [u32], share: f64) -> u32 {

@@ -7,11 +7,6 @@ use std::error::Error;
 /// # Errors
 /// What follows is not a number.
 pub fn number(name: &str, default: u32) -> Result<u32, Box<dyn Error>> {
-    let Some(text) = text(name) else { return Ok(default) };
+    let Some(text) = std::env::args().skip_while(|argument| argument != name).nth(1) else { return Ok(default) };
     text.parse().map_err(|_| format!("{name} takes a number, not `{text}`").into())
-}
-
-/// The word that follows `name`, where it is given.
-pub fn text(name: &str) -> Option<String> {
-    std::env::args().skip_while(|argument| argument != name).nth(1)
 }

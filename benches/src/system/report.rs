@@ -4,15 +4,6 @@ use std::fmt::Display;
 
 use super::figures::Contender;
 
-/// Target of a figure.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Target {
-    /// This or less.
-    AtMost(f64),
-    /// This or more.
-    AtLeast(f64),
-}
-
 /// Prints a title and a description of the run.
 pub fn title(title: &str, run: impl Display) {
     println!("\n{title}\n  {run}");
@@ -27,13 +18,10 @@ pub fn percentiles(contenders: &[Contender<'_>]) {
     }
 }
 
-/// Prints a figure with its target and the verdict, met or missed.
-pub fn verdict(what: &str, figure: f64, target: Target) {
-    let (sign, bound, met) = match target {
-        Target::AtMost(bound) => ("at most", bound, figure <= bound),
-        Target::AtLeast(bound) => ("at least", bound, figure >= bound),
-    };
-    println!("  {what:<50} {figure:>9.3}   target {sign} {bound}: {}", if met { "met" } else { "MISSED" });
+/// Prints a figure, the most that it is to be, and whether it is.
+pub fn verdict(what: &str, figure: f64, at_most: f64) {
+    let met = if figure <= at_most { "met" } else { "MISSED" };
+    println!("  {what:<50} {figure:>9.3}   target at most {at_most}: {met}");
 }
 
 /// Prints a figure without a target.

@@ -46,12 +46,27 @@ fn without_ports(text: &str) -> String {
     parts.fold(first, |text, part| text + "127.0.0.1:PORT" + part.trim_start_matches(|c: char| c.is_ascii_digit()))
 }
 
+/// Returns the report on an arm with a fault.
+fn report_of(fault: impl FnOnce(&Controller)) -> Run {
+    let controller = healthy();
+    fault(&controller);
+    check(&controller, &["--yes", "--json"])
+}
+
 /// Plants a fault in a healthy arm, and checks that it is the only finding, and that the exit code is that of the
 /// verdict.
 fn assert_found(fault: impl FnOnce(&Controller), expected: &Expect) {
-    let controller = healthy();
-    fault(&controller);
-    assert_report(&check(&controller, &["--yes", "--json"]), expected);
+    assert_report(&report_of(fault), expected);
+}
+
+/// Plants each fault in an arm of its own, and compares the findings of all.
+fn assert_each_found(faults: &[&dyn Fn(&Controller)], expected: &Expect) {
+    let findings = faults.iter().map(|fault| {
+        let report = report_of(fault);
+        assert_code(&report);
+        found(&report)
+    });
+    expected.assert_eq(&findings.collect::<String>());
 }
 
 fn assert_report(report: &Run, expected: &Expect) {
