@@ -16,7 +16,7 @@ use jaka_robot::preflight::Preflight;
 use jaka_robot::proto::wire::Decode;
 use jaka_robot::recording::Port;
 use jaka_robot::status::RobotStatus;
-use jaka_robot::{Client, Config, Monitor, MotionStatus, Reconnect, Recorder, Robot, StatusSampling, StatusStream};
+use jaka_robot::{Client, Config, Monitor, MotionStatus, Reconnect, Recorder, Robot, StatusStream};
 use jaka_sim::{Builder, Controller, Delays, Model};
 
 use self::address::RobotAddress;
@@ -138,7 +138,7 @@ impl RobotArgs {
         let target = self.address.target(packs)?;
         Ok(match self.record.as_deref().map(record::begin) {
             None => (target, None),
-            Some(Ok(recorder)) => (target.recorded(recorder, StatusSampling::All), None),
+            Some(Ok(recorder)) => (target.recorded(recorder, Duration::ZERO), None),
             Some(Err(failure)) => (target, Some(failure)),
         })
     }
@@ -218,8 +218,8 @@ impl Target {
     }
 
     /// Returns the robot with a recorder for all traffic on its connections.
-    pub(crate) fn recorded(mut self, recorder: Recorder, sampling: StatusSampling) -> Self {
-        self.config = self.config.recorder(recorder).status_sampling(sampling);
+    pub(crate) fn recorded(mut self, recorder: Recorder, status_interval: Duration) -> Self {
+        self.config = self.config.recorder(recorder).recorded_status_interval(status_interval);
         self
     }
 

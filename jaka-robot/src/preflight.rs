@@ -16,7 +16,6 @@ use jaka_proto::messages::status::RobotStatus;
 use jaka_sync::layer::{MonitorParts as _, Stops};
 use jaka_sync::{Client, Config, Error, Monitor, MotionStatus};
 
-use self::arm::Expected;
 use self::commands::Commands;
 pub use self::finding::{CheckItem, Finding, Verdict};
 use self::packets::Count;
@@ -65,14 +64,13 @@ impl Preflight {
         status_address: impl Display,
         limits: Option<&Limits>,
     ) -> Self {
-        let expected = Expected(limits.cloned());
         let monitor = Monitor::<S>::connect_with(config, status_address);
         let mut client = Client::connect_with(config, commands_address);
         let state = monitor.as_ref().map(|monitor| ArmState::new(monitor, &Stops::new(monitor.clock()), true));
         let status = monitor
             .as_ref()
             .and_then(|source| Ok(StatusPort { source, state: state.as_ref().map_err(|&error| error)? }));
-        Self::read(client.as_mut().map_err(|error| &*error), status, &expected)
+        Self::read(client.as_mut().map_err(|error| &*error), status, limits)
     }
 
     /// One finding for each [`CheckItem`], in its order.
@@ -85,17 +83,17 @@ impl Preflight {
         self.findings.iter().map(Finding::verdict).max().unwrap_or(Verdict::NotChecked)
     }
 
-    /// Reads a connected arm, and compares it with these limits.
-    pub(crate) fn of(client: &mut Client, status: StatusPort<'_>, limits: Option<&Limits>) -> Self {
-        Self::read(Ok(client), Ok(status), &Expected(limits.cloned()))
-    }
-
-    fn read(client: Result<&mut Client, &Error>, status: Result<StatusPort<'_>, &Error>, expected: &Expected) -> Self {
+    /// Reads an arm by the ports that are connected, and compares it with these limits.
+    pub(crate) fn read(
+        client: Result<&mut Client, &Error>,
+        status: Result<StatusPort<'_>, &Error>,
+        limits: Option<&Limits>,
+    ) -> Self {
         let mut findings = Vec::new();
         let count = Count::begin(status);
         let mut commands = Commands::open(client, &mut findings);
         findings.push(round_trip::measure(&mut commands).at(CheckItem::RoundTrip));
-        arm::read(expected, &mut commands, &mut findings);
+        arm::read(limits, &mut commands, &mut findings);
         let packet = count.and_then(|count| count.end(&mut findings)).unwrap_or_else(|port| {
             findings.push(port.at(CheckItem::StatusPort));
             findings

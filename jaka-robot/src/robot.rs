@@ -446,7 +446,7 @@ impl<S: MotionStatus> Robot<S> {
     pub fn preflight(&mut self) -> Preflight {
         let limits = self.limits.checker().map(Checker::limits);
         let (client, status) = self.arm.ports();
-        Preflight::of(client, status, limits)
+        Preflight::read(Ok(client), Ok(status), limits)
     }
 
     /// Explains why the controller refused a command of the [`client`](Self::client), as far as its state shows it,

@@ -107,12 +107,3 @@ impl<T> Drop for Sender<T> {
         self.0.fill(Slot::Closed);
     }
 }
-
-/// Does this when it is dropped, also by a panic.
-pub(crate) struct OnDrop<F: Fn()>(pub(crate) F);
-
-impl<F: Fn()> Drop for OnDrop<F> {
-    fn drop(&mut self) {
-        (self.0)();
-    }
-}

@@ -44,12 +44,6 @@ pub struct Client {
     owns_link: bool,
 }
 
-/// Facts of a request.
-struct Of {
-    info: &'static CommandInfo,
-    role: Option<Role>,
-}
-
 impl Client {
     /// Connects to a controller: `10.5.5.100`, `robot.local`, `10.5.5.100:10001`, or a socket address.
     ///
@@ -104,11 +98,6 @@ impl Client {
         Ok(self.lent_as(self.link.new_handle()))
     }
 
-    /// Clones the client with the same handle, for a thread that sends in place of this one and ends before it.
-    pub(crate) fn lent(&self) -> Self {
-        self.lent_as(self.handle)
-    }
-
     fn lent_as(&self, handle: Handle) -> Self {
         Self {
             link: Arc::clone(&self.link),
@@ -141,44 +130,18 @@ impl Client {
         Ok(self.call_through(OPEN, command, timeout)?)
     }
 
-    /// Sends a command and waits for its reply as [`call_within`](Self::call_within), unless the gate keeps it back.
-    pub(crate) fn call_through<C: Command, R>(
-        &mut self,
-        gate: Gate<'_, R>,
-        command: &C,
-        timeout: Duration,
-    ) -> Result<C::Reply, SendError<R>> {
-        command.check(self.rules()).map_err(Error::from)?;
-        let of = Of { info: C::INFO, role: command.role() };
-        self.call_as(of, gate, timeout, &mut |out| command.write_request(out))
-    }
-
-    /// Sends a request of a type that only its caller knows, unless the gate keeps it back, and returns once it is
-    /// accepted.
-    pub(crate) fn call_written<R>(
-        &mut self,
-        gate: Gate<'_, R>,
-        (info, request): (&'static CommandInfo, &dyn Written),
-        timeout: Duration,
-    ) -> Result<(), SendError<R>> {
-        request.check(self.rules()).map_err(Error::from)?;
-        let of = Of { info, role: info.role };
-        self.call_as(of, gate, timeout, &mut |out| request.write(out))
-    }
-
     /// Sends a request and waits for its reply, of type `A`.
     ///
     /// Generic over the reply type only, which many commands share.
     fn call_as<A: Fields, R>(
         &mut self,
-        of: Of,
+        (info, role): (&'static CommandInfo, Option<Role>),
         gate: Gate<'_, R>,
         timeout: Duration,
         write: &mut dyn FnMut(&mut Writer),
     ) -> Result<A, SendError<R>> {
-        let info = of.info;
         let mut reader = TypedReply::new(info);
-        match self.exchange(of, gate, timeout, write, &mut reader) {
+        match self.exchange((info, role), gate, timeout, write, &mut reader) {
             Ok(()) => Ok(reader.take(&self.reply).map_err(|source| self.link.attach(unexpected(info.name, source)))?),
             Err(SendError::Failed(error)) if is_success_without_reply(info, &error) => {
                 Ok(A::without_fields().ok_or(error)?)
@@ -191,7 +154,7 @@ impl Client {
     /// for each type of reply would make up most of this crate's compile time.
     fn exchange<R>(
         &mut self,
-        Of { info, role }: Of,
+        (info, role): (&'static CommandInfo, Option<Role>),
         gate: Gate<'_, R>,
         timeout: Duration,
         write: &mut dyn FnMut(&mut Writer),
@@ -205,31 +168,9 @@ impl Client {
         Ok(())
     }
 
-    /// Timeout for the reply to a command.
-    pub(crate) fn timeout_of(&self, info: &CommandInfo) -> Duration {
-        info.deadline.unwrap_or_default().max(self.config.reply_timeout)
-    }
-
     /// Rules for the check of commands, apart from the spec.
     fn rules(&self) -> Rules {
         Rules { ranges: self.config.advisory_ranges, firmware: self.link.firmware() }
-    }
-
-    /// Sends commands without waiting for their replies, which are counted for their owner, and returns the number of
-    /// its outstanding ones.
-    pub(crate) fn post<C: Command, R>(
-        &self,
-        owner: Owner,
-        gate: Gate<'_, R>,
-        commands: &[C],
-    ) -> Result<usize, SendError<R>> {
-        self.check(commands)?;
-        let (mut rest, mut outstanding) = (commands, 0);
-        while !rest.is_empty() {
-            let posting = self.post_some(owner, gate, rest)?;
-            (rest, outstanding) = (&rest[posting.sent..], posting.outstanding);
-        }
-        Ok(outstanding)
     }
 
     /// Sends the first of the checked commands in one write: at least one of them, and only ones of one role.
@@ -372,6 +313,100 @@ impl Client {
     }
 }
 
+/// Parts of a [`Client`].
+pub trait ClientParts: Sized {
+    /// Connection of the client.
+    fn link(&self) -> &Arc<Link>;
+
+    /// Handle of the connection, by which the client sends.
+    fn handle(&self) -> Handle;
+
+    /// Another client of the same connection, for a thread that this one outlives.
+    #[must_use]
+    fn lent(&self) -> Self;
+
+    /// Timeout for the reply to a command.
+    fn timeout_of(&self, info: &CommandInfo) -> Duration;
+
+    /// Sends a command unless the gate keeps it back, and waits for its reply.
+    ///
+    /// # Errors
+    /// The reason of the gate, or as [`Client::call`].
+    fn call_through<C: Command, R>(
+        &mut self,
+        gate: Gate<'_, R>,
+        command: &C,
+        timeout: Duration,
+    ) -> Result<C::Reply, SendError<R>>;
+
+    /// Sends a request of any type unless the gate keeps it back, and returns once it is accepted. Fields of the reply
+    /// are not read.
+    ///
+    /// # Errors
+    /// The reason of the gate, or as [`Client::call`].
+    fn call_written<R>(
+        &mut self,
+        gate: Gate<'_, R>,
+        request: (&'static CommandInfo, &dyn Written),
+        timeout: Duration,
+    ) -> Result<(), SendError<R>>;
+
+    /// Sends commands without waiting for their replies, which are counted for their owner, and returns the number of
+    /// its outstanding ones.
+    ///
+    /// # Errors
+    /// The reason of the gate, or as [`Client::call`].
+    fn post<C: Command, R>(&self, owner: Owner, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>>;
+}
+
+impl ClientParts for Client {
+    fn link(&self) -> &Arc<Link> {
+        &self.link
+    }
+
+    fn handle(&self) -> Handle {
+        self.handle
+    }
+
+    fn lent(&self) -> Self {
+        self.lent_as(self.handle)
+    }
+
+    fn timeout_of(&self, info: &CommandInfo) -> Duration {
+        info.deadline.unwrap_or_default().max(self.config.reply_timeout)
+    }
+
+    fn call_through<C: Command, R>(
+        &mut self,
+        gate: Gate<'_, R>,
+        command: &C,
+        timeout: Duration,
+    ) -> Result<C::Reply, SendError<R>> {
+        command.check(self.rules()).map_err(Error::from)?;
+        self.call_as((C::INFO, command.role()), gate, timeout, &mut |out| command.write_request(out))
+    }
+
+    fn call_written<R>(
+        &mut self,
+        gate: Gate<'_, R>,
+        (info, request): (&'static CommandInfo, &dyn Written),
+        timeout: Duration,
+    ) -> Result<(), SendError<R>> {
+        request.check(self.rules()).map_err(Error::from)?;
+        self.call_as((info, info.role), gate, timeout, &mut |out| request.write(out))
+    }
+
+    fn post<C: Command, R>(&self, owner: Owner, gate: Gate<'_, R>, commands: &[C]) -> Result<usize, SendError<R>> {
+        self.check(commands)?;
+        let (mut rest, mut outstanding) = (commands, 0);
+        while !rest.is_empty() {
+            let posting = self.post_some(owner, gate, rest)?;
+            (rest, outstanding) = (&rest[posting.sent..], posting.outstanding);
+        }
+        Ok(outstanding)
+    }
+}
+
 /// Closes the connection, so that the controller can serve another client. Stop handles then fail with this reason.
 impl Drop for Client {
     fn drop(&mut self) {
@@ -383,15 +418,8 @@ impl Drop for Client {
 
 /// True if the controller closed the connection, and may do so instead of replying when it carries out this command.
 fn is_success_without_reply(info: &CommandInfo, error: &Error) -> bool {
-    !info.reply_certain && closed(error)
-}
-
-/// True if the controller closed the connection, as it does when it goes down.
-fn closed(error: &Error) -> bool {
-    let ErrorKind::Disconnected { sent: true, cause, .. } = error.kind() else {
-        return false;
-    };
-    matches!(**cause, Disconnect::Closed { .. } | Disconnect::Read(_))
+    let ErrorKind::Disconnected { sent: true, cause, .. } = error.kind() else { return false };
+    !info.reply_certain && matches!(**cause, Disconnect::Closed { .. } | Disconnect::Read(_))
 }
 
 fn raw_request(command: &str, parameters: &Value) -> Result<String, InvalidArgument> {

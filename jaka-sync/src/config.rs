@@ -6,11 +6,11 @@ use jaka_clock::Clock;
 use jaka_proto::check::AdvisoryRanges;
 use jaka_proto::framing::DEFAULT_MAX_FRAME;
 
-use crate::{Recorder, StatusSampling};
+use crate::Recorder;
 
 /// Configuration of connections: timeouts, keepalive, frame size and checks.
 ///
-/// Each setting has a getter whose name begins with `get_`. [`Client::connect_with`](crate::Client::connect_with) and
+/// The name of a getter begins with `get_`. [`Client::connect_with`](crate::Client::connect_with) and
 /// the methods of the same name of [`Monitor`](crate::Monitor), [`StatusStream`](crate::StatusStream) and
 /// `jaka_robot::Robot` connect by a configuration.
 ///
@@ -39,7 +39,7 @@ pub struct Config {
     pub(crate) stale_after: Duration,
     pub(crate) reconnect: Reconnect,
     pub(crate) recorder: Option<Recorder>,
-    pub(crate) status_sampling: StatusSampling,
+    pub(crate) recorded_status_interval: Duration,
     pub(crate) clock: Clock,
 }
 
@@ -54,7 +54,7 @@ impl Default for Config {
             stale_after: Duration::from_millis(500),
             reconnect: Reconnect::Never,
             recorder: None,
-            status_sampling: StatusSampling::All,
+            recorded_status_interval: Duration::ZERO,
             clock: Clock::default(),
         }
     }
@@ -137,9 +137,10 @@ impl Config {
         self
     }
 
-    /// Sets the status packets that are recorded. All by default, which can be about 0.5 MB each second.
-    pub fn status_sampling(mut self, sampling: StatusSampling) -> Self {
-        self.status_sampling = sampling;
+    /// Sets the interval of recorded status packets: of each connection the first one, and then at most one in this
+    /// time. Zero by default, for all of them, which can be about 0.5 MB each second.
+    pub fn recorded_status_interval(mut self, interval: Duration) -> Self {
+        self.recorded_status_interval = interval;
         self
     }
 

@@ -22,7 +22,7 @@ pub(crate) fn connect(address: &str, port: Port, config: &Config) -> Result<(Soc
         Port::Status => (STATUS_PORT, "status packets"),
     };
     let place = with_port(address, number);
-    let tap = Tap::new(&place, port, config.recorder.as_ref(), config.status_sampling, &config.clock);
+    let tap = Tap::new(&place, port, config.recorder.as_ref(), config.recorded_status_interval, &config.clock);
     match connect_to(address, number, config) {
         Ok(stream) => {
             log::debug!(target: "jaka_sync", "connected to {place} (port for {what})");

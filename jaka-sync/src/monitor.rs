@@ -54,10 +54,10 @@ use crate::{Config, Disconnect, Error, ErrorKind, Snapshot, StatusProblem};
 #[must_use = "dropping a monitor ends its connection and its thread"]
 pub struct Monitor<S = RobotStatus> {
     board: Arc<Board<S>>,
-    pub(crate) clock: Clock,
+    clock: Clock,
     thread: Option<JoinHandle<()>>,
     timeout: Duration,
-    pub(crate) stale_after: Duration,
+    stale_after: Duration,
 }
 
 /// State that the thread and the monitor share.
@@ -275,13 +275,53 @@ impl<S: 'static> Monitor<S> {
         self.board.lock().observers.users.push(Box::new(call));
     }
 
-    /// Passes the news of the port to `listener` from now on, before the user's observers.
-    pub(crate) fn listen(&self, listener: impl FnMut(StatusNews<'_, S>) -> ControlFlow<()> + Send + 'static) {
+    /// Statistics on the number and the regularity of packets.
+    pub fn statistics(&self) -> MonitorStatistics {
+        self.board.lock().counters.statistics()
+    }
+
+    /// Cause of the end of the connection, if it has ended.
+    pub fn disconnect_cause(&self) -> Option<Arc<Disconnect>> {
+        self.board.lock().ended.clone()
+    }
+}
+
+/// Parts of a [`Monitor`].
+pub trait MonitorParts<S> {
+    /// Clock of the monitor.
+    fn clock(&self) -> &Clock;
+
+    /// Age from which a packet is stale: [`Config::stale_after`].
+    fn stale_after(&self) -> Duration;
+
+    /// Address of the connection, with the port.
+    fn address(&self) -> String;
+
+    /// Passes the news of the port to `listener` from now on, on the monitor's thread, before the program's observers.
+    fn listen(&self, listener: impl FnMut(StatusNews<'_, S>) -> ControlFlow<()> + Send + 'static);
+
+    /// Passes the current state to `tell`, in this thread: the newest packet, and then the news that followed it.
+    fn tell_known(&self, tell: impl FnMut(StatusNews<'_, S>));
+}
+
+impl<S: 'static> MonitorParts<S> for Monitor<S> {
+    fn clock(&self) -> &Clock {
+        &self.clock
+    }
+
+    fn stale_after(&self) -> Duration {
+        self.stale_after
+    }
+
+    fn address(&self) -> String {
+        self.board.lock().tap.address()
+    }
+
+    fn listen(&self, listener: impl FnMut(StatusNews<'_, S>) -> ControlFlow<()> + Send + 'static) {
         self.board.lock().observers.listeners.push(Box::new(listener));
     }
 
-    /// Passes the current state to `tell`: the newest packet, and then the news that followed it.
-    pub(crate) fn tell_known(&self, mut tell: impl FnMut(StatusNews<'_, S>)) {
+    fn tell_known(&self, mut tell: impl FnMut(StatusNews<'_, S>)) {
         let state = self.board.lock();
         let (latest, unfit) = (state.latest.clone(), state.unfit.clone());
         let (is_reconnecting, ended) = (state.reconnecting, state.ended.clone());
@@ -298,21 +338,6 @@ impl<S: 'static> Monitor<S> {
         if let Some(cause) = &ended {
             tell(StatusNews::Ended(cause));
         }
-    }
-
-    /// Address of the connection, with the port.
-    pub(crate) fn address(&self) -> String {
-        self.board.lock().tap.address()
-    }
-
-    /// Statistics on the number and the regularity of packets.
-    pub fn statistics(&self) -> MonitorStatistics {
-        self.board.lock().counters.statistics()
-    }
-
-    /// Cause of the end of the connection, if it has ended.
-    pub fn disconnect_cause(&self) -> Option<Arc<Disconnect>> {
-        self.board.lock().ended.clone()
     }
 }
 

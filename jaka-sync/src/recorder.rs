@@ -1,7 +1,6 @@
 //! Recording sessions to a file.
 
 mod queue;
-mod sampling;
 mod tap;
 
 use std::fmt;
@@ -18,8 +17,6 @@ use jaka_proto::recording::{Entry, Event, Header, Message, Port};
 use jaka_proto::wire::Writer;
 
 use self::queue::EntryQueue;
-use self::sampling::Sampler;
-pub use self::sampling::StatusSampling;
 pub(crate) use self::tap::Tap;
 
 /// Greatest number of bytes of entries that wait for the writer: some seconds of entries, also with status packets.
@@ -128,15 +125,15 @@ impl Recorder {
     }
 
     /// Adds a connection to the recording, with the next number. The connections of this crate's clients and streams
-    /// add themselves.
-    pub fn track(&self, port: Port, sampling: StatusSampling) -> Track {
-        self.track_by(&Clock::default(), port, sampling)
+    /// add themselves. Of status packets at most one is recorded in the interval; all of them if it is zero.
+    pub fn track(&self, port: Port, status_interval: Duration) -> Track {
+        self.track_by(&Clock::default(), port, status_interval)
     }
 
     /// Adds a connection as [`track`](Self::track) does, with times by this clock.
-    pub(super) fn track_by(&self, clock: &Clock, port: Port, sampling: StatusSampling) -> Track {
+    pub(super) fn track_by(&self, clock: &Clock, port: Port, status_interval: Duration) -> Track {
         let (recorder, number) = (self.clone(), self.0.connections.fetch_add(1, Ordering::Relaxed) + 1);
-        Track { recorder, port, number, clock: clock.clone(), sampling, sampler: Mutex::default() }
+        Track { recorder, port, number, clock: clock.clone(), status_interval, last_packet: Mutex::default() }
     }
 }
 
@@ -185,11 +182,13 @@ fn write(queue: &EntryQueue, header: &Header, mut writer: impl Write) -> io::Res
 /// One connection in a recording, for programs that make their own connections, such as a proxy.
 ///
 /// ```
+/// use std::time::Duration;
+///
+/// use jaka_sync::Recorder;
 /// use jaka_sync::recording::{Event, Message, Port};
-/// use jaka_sync::{Recorder, StatusSampling};
 ///
 /// let recorder = Recorder::new(std::io::sink())?;
-/// let track = recorder.track(Port::Command, StatusSampling::All);
+/// let track = recorder.track(Port::Command, Duration::ZERO);
 /// track.record(Event::Connected { address: "10.5.5.100:10001".to_owned() });
 /// track.record(Event::Sent(Message::new(r#"{"cmdName":"get_version"}"#)));
 /// assert_eq!(recorder.finish()?.entries, 2);
@@ -201,8 +200,10 @@ pub struct Track {
     port: Port,
     number: u32,
     clock: Clock,
-    sampling: StatusSampling,
-    sampler: Mutex<Sampler>,
+    /// Least time between two recorded status packets.
+    status_interval: Duration,
+    /// Time of the last recorded status packet.
+    last_packet: Mutex<Option<Duration>>,
 }
 
 impl Track {
@@ -211,7 +212,7 @@ impl Track {
         self.push(&self.entry(self.now(), event));
     }
 
-    /// Records a status packet with the current time, if the sampling selects it.
+    /// Records a status packet with the current time, unless the last one was recorded within the interval before.
     pub fn record_packet(&self, packet: Message) {
         self.push_packet(&self.entry(self.now(), Event::Received(packet)));
     }
@@ -230,7 +231,10 @@ impl Track {
     }
 
     pub(super) fn push_packet(&self, entry: &Arc<Entry>) {
-        if lock(&self.sampler).takes(self.sampling, entry.time) {
+        let mut last = lock(&self.last_packet);
+        if last.is_none_or(|last| entry.time.saturating_sub(last) >= self.status_interval) {
+            *last = Some(entry.time);
+            drop(last);
             self.push(entry);
         }
     }

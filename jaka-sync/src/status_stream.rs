@@ -86,19 +86,7 @@ impl StatusStream {
     /// As [`next_packet`](Self::next_packet).
     pub fn next_packet_as<S: Decode>(&mut self) -> Result<S, Error> {
         self.receive()?;
-        self.read_packet(S::decode)
-    }
-
-    /// Reads the packet of [`next_packet`](Self::next_packet) into the value of an earlier packet, whose memory is
-    /// reused: packets of the same shape allocate nothing.
-    ///
-    /// After an error, the value is meaningless.
-    ///
-    /// # Errors
-    /// As [`next_packet`](Self::next_packet).
-    pub fn next_packet_into<S: Decode>(&mut self, status: &mut S) -> Result<(), Error> {
-        self.receive()?;
-        self.read_packet(|reader| status.decode_into(reader))
+        self.read_packet()
     }
 
     /// Returns the newest packet that has arrived, and drops older ones. Waits for one if none has arrived.
@@ -116,17 +104,7 @@ impl StatusStream {
     /// As [`next_packet`](Self::next_packet).
     pub fn newest_packet_as<S: Decode>(&mut self) -> Result<S, Error> {
         self.receive_newest()?;
-        self.read_packet(S::decode)
-    }
-
-    /// Reads the packet of [`newest_packet`](Self::newest_packet) into the value of an earlier packet: see
-    /// [`next_packet_into`](Self::next_packet_into).
-    ///
-    /// # Errors
-    /// As [`next_packet`](Self::next_packet).
-    pub fn newest_packet_into<S: Decode>(&mut self, status: &mut S) -> Result<(), Error> {
-        self.receive_newest()?;
-        self.read_packet(|reader| status.decode_into(reader))
+        self.read_packet()
     }
 
     /// Text of the packet that was read last, as it was received; with `\udcNN` for each byte that is not UTF-8.
@@ -148,10 +126,10 @@ impl StatusStream {
         self.follows_silence
     }
 
-    fn read_packet<T>(&mut self, read: impl FnOnce(&mut Reader<'_>) -> Result<T, DecodeError>) -> Result<T, Error> {
+    fn read_packet<S: Decode>(&mut self) -> Result<S, Error> {
         self.follows_silence = self.silence.is_followed_by(self.clock.now(), self.stale_after);
         let mut reader = Reader::new(&self.packets.text);
-        let found = read(&mut reader).and_then(|found| reader.end().map(|()| found));
+        let found = S::decode(&mut reader).and_then(|found| reader.end().map(|()| found));
         self.unfit = reader.take_unfit();
         found.map_err(|source| self.packets.tap.attach(ErrorKind::UnexpectedStatus { source }.into()))
     }

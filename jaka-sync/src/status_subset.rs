@@ -3,8 +3,8 @@
 /// Makes a struct with some fields of the status packet, for programs that need no more.
 ///
 /// The fields have the names, types and docs of [`RobotStatus`](crate::status::RobotStatus). Use the struct with
-/// [`StatusStream::next_packet_as`](crate::StatusStream::next_packet_as) and the other `_as` and `_into` methods, or as
-/// the type of a [`Monitor`](crate::Monitor).
+/// [`StatusStream::next_packet_as`](crate::StatusStream::next_packet_as) or
+/// [`newest_packet_as`](crate::StatusStream::newest_packet_as), or as the type of a [`Monitor`](crate::Monitor).
 ///
 /// ```no_run
 /// use jaka_sync::{Config, Monitor, StatusStream};

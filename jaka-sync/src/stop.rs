@@ -84,8 +84,38 @@ impl StopHandle {
         self.wait(self.write(StopKind::ProgramNow)?)
     }
 
+    fn written(&self, sent: Sent<'static>, under_way: UnderWay) -> WrittenStop {
+        WrittenStop { sent: sent.within(self.timeout), at: self.link.clock.now(), under_way }
+    }
+
+    fn write_within(&self, stop: &UnderWay, timeout: Duration) -> Result<Sent<'static>, Error> {
+        let clock = &self.link.clock;
+        let outgoing = Outgoing::of(clock, StopProgram::INFO, timeout).of_stop(stop.number(), clock.stopwatch());
+        self.link.send(&outgoing, &mut |out: &mut _| StopProgram::new().write_request(out))
+    }
+}
+
+/// Parts of a [`StopHandle`].
+pub trait StopParts {
     /// Writes the stop, once a session has braked.
-    pub(crate) fn write(&self, kind: StopKind) -> Result<WrittenStop, Error> {
+    ///
+    /// # Errors
+    /// As [`StopHandle::stop`].
+    fn write(&self, kind: StopKind) -> Result<WrittenStop, Error>;
+
+    /// Writes a stop that ends a motion if that is possible at once, and no session moves the arm; `None` otherwise.
+    /// Blocks the thread for a moment at most.
+    fn write_now(&self) -> Option<WrittenStop>;
+
+    /// Waits until the controller has accepted a stop that was written.
+    ///
+    /// # Errors
+    /// As [`StopHandle::stop`].
+    fn wait(&self, written: WrittenStop) -> Result<(), Error>;
+}
+
+impl StopParts for StopHandle {
+    fn write(&self, kind: StopKind) -> Result<WrittenStop, Error> {
         let stop = self.link.begin_stop(kind);
         match self.write_within(&stop, self.timeout) {
             Ok(sent) => Ok(self.written(sent, stop)),
@@ -96,9 +126,7 @@ impl StopHandle {
         }
     }
 
-    /// Writes a stop that ends a motion if that is possible at once, and no session moves the arm; `None` otherwise.
-    /// Blocks the thread for a moment at most.
-    pub(crate) fn write_now(&self) -> Option<WrittenStop> {
+    fn write_now(&self) -> Option<WrittenStop> {
         // Outstanding requests may fill the system's buffer: the write would wait, or end midway.
         if !self.link.is_idle() || self.link.stops.is_led() {
             return None;
@@ -116,20 +144,9 @@ impl StopHandle {
         }
     }
 
-    /// Waits until the controller has accepted a stop that was written.
-    pub(crate) fn wait(&self, written: WrittenStop) -> Result<(), Error> {
+    fn wait(&self, written: WrittenStop) -> Result<(), Error> {
         let WrittenStop { sent, under_way, .. } = written;
         let accepted = self.link.wait(&sent, &mut String::new(), &mut TextOnly);
         accepted.inspect_err(|_| under_way.failed())
-    }
-
-    fn written(&self, sent: Sent<'static>, under_way: UnderWay) -> WrittenStop {
-        WrittenStop { sent: sent.within(self.timeout), at: self.link.clock.now(), under_way }
-    }
-
-    fn write_within(&self, stop: &UnderWay, timeout: Duration) -> Result<Sent<'static>, Error> {
-        let clock = &self.link.clock;
-        let outgoing = Outgoing::of(clock, StopProgram::INFO, timeout).of_stop(stop.number(), clock.stopwatch());
-        self.link.send(&outgoing, &mut |out: &mut _| StopProgram::new().write_request(out))
     }
 }

@@ -13,7 +13,7 @@ use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event};
 
 use crate::arm::interrupt::on_interrupt;
-use crate::commands::monitor::dashboard::{AfterKey, Feed, View, draw};
+use crate::commands::monitor::dashboard::{Feed, View, draw};
 use crate::failure::Failure;
 use crate::target::RobotArgs;
 use crate::target::packs::SpecArgs;
@@ -73,7 +73,7 @@ fn watch(terminal: &mut DefaultTerminal, feed: &mut Feed, view: &mut View, ended
         }
         // All other events, such as a new size, only need an update of the screen.
         if let Event::Key(key) = event::read()?
-            && view.key(key) == AfterKey::Quit
+            && view.ends_after(key)
         {
             break;
         }

@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use clap::{ArgGroup, Args};
 use jaka_sync::recording::Port;
-use jaka_sync::{ErrorKind, Recorder, RecorderReport, StatusSampling, StatusStream};
+use jaka_sync::{ErrorKind, Recorder, RecorderReport, StatusStream};
 
 use crate::arm::interrupt::on_interrupt;
 use crate::commands::record::proxy::{ProxyPort, RecordingQueue};
@@ -98,7 +98,8 @@ impl Record {
         let open = |port, own_port| {
             let (robot, timeout) = target.address(port);
             let (robot, recorder, queue) = (robot.to_owned(), recorder.clone(), queue.clone());
-            let port_proxy = ProxyPort { port, robot, timeout, recorder, queue, sampling: self.sampling() };
+            let port_proxy =
+                ProxyPort { port, robot, timeout, recorder, queue, status_interval: self.status_interval() };
             let opened = port_proxy.open(address, own_port);
             let what = format!("cannot listen at {address}, port {own_port}");
             opened.map_err(|error| Failure::unopened(what, error, PORTS_IN_USE))
@@ -113,7 +114,7 @@ impl Record {
         recorder: Recorder,
         ended: Sender<Result<(), Failure>>,
     ) -> Result<Target, Failure> {
-        let target = target.recorded(recorder, self.sampling());
+        let target = target.recorded(recorder, self.status_interval());
         let mut stream = target.status_stream()?;
         output::line(&format!("recording the status packets of {}", target.title()))?;
         let count = self.count.unwrap_or(u64::MAX);
@@ -126,8 +127,8 @@ impl Record {
         Ok(target)
     }
 
-    fn sampling(&self) -> StatusSampling {
-        self.status_every.map_or(StatusSampling::All, StatusSampling::AtMostEach)
+    fn status_interval(&self) -> Duration {
+        self.status_every.unwrap_or_default()
     }
 
     fn wait(&self, ended: &Receiver<Result<(), Failure>>) -> Result<(), Failure> {

@@ -11,7 +11,7 @@ use std::time::Duration;
 use clap::Args;
 use jaka_sim::{Controller, Replay as Mode, ReplayTiming};
 
-use self::filter::FilterArgs;
+use self::filter::Filter;
 use crate::arm::interrupt::on_interrupt;
 use crate::choice::{Choice, one_of};
 use crate::failure::Failure;
@@ -41,8 +41,9 @@ pub(crate) struct Replay {
     /// Print the recording with a summary, without serving it
     #[arg(long, conflicts_with_all = ["mode", "timing", "address", "commands", "status"])]
     show: bool,
-    #[command(flatten)]
-    filter: FilterArgs,
+    /// Show only the requests of this command, and their replies
+    #[arg(long, value_name = "NAME", requires = "show")]
+    command: Option<String>,
 }
 
 const MODES: [Choice<Mode>; 2] = [
@@ -58,7 +59,8 @@ impl Replay {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let recording = recorded::read(&self.file)?;
         if self.show {
-            return show::print(&recording, &self.filter.filter(&recording));
+            let filter = self.command.as_ref().map(|name| Filter::new(name, &recording));
+            return show::print(&recording, filter.as_ref());
         }
         let ended = Arc::new(AtomicBool::new(false));
         let end = Arc::clone(&ended);

@@ -13,7 +13,6 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use jaka_sync::proto::text::visible_json_line;
 
-use self::lines::LineColumns;
 use self::packets::{Due, Overdue, PacketSource};
 use self::table::StatusTable;
 use self::until::{POLL, Until};
@@ -103,8 +102,8 @@ impl Status {
             }
             Format::Json => self.print(packets, PacketSource::next, |packet| lines::json(&fields, &packet), warn),
             Format::Csv => {
-                let mut columns = LineColumns::new(fields);
-                self.print(packets, PacketSource::next, |packet| columns.lines(&packet), warn)
+                let mut columns = None;
+                self.print(packets, PacketSource::next, |packet| lines::csv(&fields, &mut columns, &packet), warn)
             }
         }
     }

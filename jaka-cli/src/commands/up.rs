@@ -30,29 +30,22 @@ impl Up {
             "get power and be enabled: its brakes release",
             &[intent(&PowerOn::new())?, intent(&EnableRobot::new())?],
         )?;
-        let mut progress = StepProgress::default();
-        act.with_steps(|robot| robot.power_up_with(act.patience(PATIENCE), |step| progress.note(step)))?;
+        let mut powered_after = None;
+        let tell = |step| note(step, &mut powered_after);
+        act.with_steps(|robot| robot.power_up_with(act.patience(PATIENCE), tell))?;
         output::line("the arm is powered and enabled")
     }
 }
 
-/// Printer of notes on the steps, from the controller's answers.
-#[derive(Debug, Default)]
-struct StepProgress {
-    /// Duration of switching the power on, if that was a step.
-    powered_after: Option<Duration>,
-}
-
-impl StepProgress {
-    fn note(&mut self, step: PowerStep) {
-        match (step.command, step.took) {
-            (command, Some(took)) if command == PowerOn::INFO.name => self.powered_after = Some(took),
-            (command, None) if command == PowerOn::INFO.name => output::note("switching the power on"),
-            (_, None) => output::note(&self.powered_after.map_or_else(
-                || "enabling the arm, which has power".to_owned(),
-                |took| format!("the arm has power, after {:.1} s; enabling it", took.as_secs_f64()),
-            )),
-            (_, Some(_)) => {}
-        }
+/// Prints a note on a step, and keeps the duration of switching the power on, if that was a step.
+fn note(step: PowerStep, powered_after: &mut Option<Duration>) {
+    match (step.command, step.took) {
+        (command, Some(took)) if command == PowerOn::INFO.name => *powered_after = Some(took),
+        (command, None) if command == PowerOn::INFO.name => output::note("switching the power on"),
+        (_, None) => output::note(&powered_after.map_or_else(
+            || "enabling the arm, which has power".to_owned(),
+            |took| format!("the arm has power, after {:.1} s; enabling it", took.as_secs_f64()),
+        )),
+        (_, Some(_)) => {}
     }
 }

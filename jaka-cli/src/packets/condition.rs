@@ -2,6 +2,7 @@
 
 mod parse;
 
+use std::cmp::Ordering;
 use std::fmt;
 use std::str::FromStr;
 
@@ -27,18 +28,7 @@ enum Expression {
     Not(Box<Expression>),
     And(Box<Expression>, Box<Expression>),
     Or(Box<Expression>, Box<Expression>),
-    Compare(Comparison, Box<Expression>, Box<Expression>),
-}
-
-/// Comparison of two values.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Comparison {
-    Equal,
-    NotEqual,
-    Less,
-    LessOrEqual,
-    Greater,
-    GreaterOrEqual,
+    Compare(fn(Ordering) -> bool, Box<Expression>, Box<Expression>),
 }
 
 impl Condition {
@@ -82,7 +72,7 @@ impl Expression {
                 (Some(true), _) | (_, Some(true)) => Some(true),
                 (one, other) => Some(one? || other?),
             },
-            Self::Compare(comparison, one, other) => comparison.holds(&one.value(packet)?, &other.value(packet)?),
+            Self::Compare(holds, one, other) => ordering(&one.value(packet)?, &other.value(packet)?).map(holds),
         }
     }
 
@@ -99,21 +89,11 @@ impl Expression {
     }
 }
 
-impl Comparison {
-    /// Returns `None` for values of different kinds, which the parser excludes.
-    fn holds(self, one: &Value, other: &Value) -> Option<bool> {
-        let ordering = match (one, other) {
-            (Value::Bool(one), Value::Bool(other)) => one.cmp(other),
-            _ => one.as_f64()?.partial_cmp(&other.as_f64()?)?,
-        };
-        Some(match self {
-            Self::Equal => ordering.is_eq(),
-            Self::NotEqual => ordering.is_ne(),
-            Self::Less => ordering.is_lt(),
-            Self::LessOrEqual => ordering.is_le(),
-            Self::Greater => ordering.is_gt(),
-            Self::GreaterOrEqual => ordering.is_ge(),
-        })
+/// Returns `None` for values of different kinds, which the parser excludes.
+fn ordering(one: &Value, other: &Value) -> Option<Ordering> {
+    match (one, other) {
+        (Value::Bool(one), Value::Bool(other)) => Some(one.cmp(other)),
+        _ => one.as_f64()?.partial_cmp(&other.as_f64()?),
     }
 }
 

@@ -7,6 +7,7 @@ use jaka_clock::Clock;
 use jaka_motion::{Checker, Follower, Stopping, Trajectory};
 use jaka_proto::messages::types::JointPosition;
 use jaka_proto::recording::MotionStep;
+use jaka_sync::layer::OnDrop;
 
 use super::approach::Approach;
 use super::orders::Orders;
@@ -17,7 +18,7 @@ use crate::guard::SetPointGuard;
 use crate::limits::LimitChecks;
 use crate::place::Quantity;
 use crate::servo_session::{LagFit, LentArm, SetPoint, SetPoints, Supervision, no_limits};
-use crate::servo_thread::{Begun, OnDrop};
+use crate::servo_thread::Begun;
 use crate::{Cause, End, Error, ServoSession, TrajectoryReport};
 
 /// A run, from entering servo mode to leaving it. Says when it is ready, or why it does not begin; then there is no end

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use jaka_sync::layer::StatusLoss;
+use jaka_sync::layer::{OnDrop, StatusLoss};
 
 use crate::arm::{Arm, ArmState, Sent};
 use crate::cause::Occurrence;
@@ -37,7 +37,8 @@ impl GuardThread {
 
     /// Watches until it is relieved, or has stopped the arm. Where the motion has not gone out, the gate keeps it back.
     pub(super) fn run(&self) -> Option<Stopped> {
-        let _on_watch = OnWatch(self);
+        // A packet's type may panic on this thread.
+        let _stops = OnDrop(|| self.stop_in_panic());
         let is_relieved = || self.is_relieved.load(Ordering::SeqCst);
         let (why, blind) = match watch(&self.state, &self.armed, (Duration::MAX, self.fresh_for), is_relieved) {
             Watched::Tripped(trip) => (Why::Trip(trip), None),
@@ -66,6 +67,13 @@ impl GuardThread {
             self.has_failed.store(true, Ordering::SeqCst);
             self.state.wake();
         }
+    }
+
+    /// Relieves the guard's thread. If a panic calls this, the arm is stopped.
+    pub(super) fn relieve(&self) {
+        self.is_relieved.store(true, Ordering::SeqCst);
+        self.state.wake();
+        self.stop_in_panic();
     }
 
     /// Stops the arm after a panic of the thread, or keeps the motion back. The program learns of the panic, or of the
@@ -101,26 +109,6 @@ pub(super) enum Why {
 impl Stopped {
     pub(super) fn new(stop: &RobotStop, why: Option<Why>) -> Self {
         Self { why, stop: stop.end_motion() }
-    }
-}
-
-/// Relieves the thread when it is dropped. If a panic drops it, the arm is stopped.
-pub(super) struct Relieved<'s>(pub(super) &'s GuardThread);
-
-impl Drop for Relieved<'_> {
-    fn drop(&mut self) {
-        self.0.is_relieved.store(true, Ordering::SeqCst);
-        self.0.state.wake();
-        self.0.stop_in_panic();
-    }
-}
-
-/// On the guard's own thread: a packet's type may panic.
-struct OnWatch<'s>(&'s GuardThread);
-
-impl Drop for OnWatch<'_> {
-    fn drop(&mut self) {
-        self.0.stop_in_panic();
     }
 }
 
@@ -183,7 +171,7 @@ mod tests {
                 thread.armed.let_out().expect("the guard has not tripped");
             }
             let unwound = catch_unwind(AssertUnwindSafe(|| {
-                let _on_watch = OnWatch(&thread);
+                let _stops = OnDrop(|| thread.stop_in_panic());
                 resume_unwind(Box::new("as it should"));
             }));
             assert!(unwound.is_err());

@@ -5,10 +5,10 @@ use std::thread;
 use std::time::Duration;
 
 use jaka_proto::CommandInfo;
-use jaka_sync::layer::Watched;
+use jaka_sync::layer::{OnDrop, Watched};
 
 use super::Moving;
-use super::guard_thread::{GuardThread, Relieved, Stopped, Why, lost};
+use super::guard_thread::{GuardThread, Stopped, Why, lost};
 use crate::arm::unknown;
 use crate::cause::Occurrence;
 use crate::guard::{Armed, Guard, longest_silence, packet_period};
@@ -41,10 +41,13 @@ impl GuardedRun<'_> {
         let guarding = GuardThread::new(arm, armed, fresh_for);
         let is_over = Watched::new(arm.clock(), false);
         let (result, stopped) = thread::scope(|scope| {
-            let relieved = Relieved(&guarding);
+            let relieved = OnDrop(|| guarding.relieve());
             let thread = thread::Builder::new().name("jaka guard".to_owned());
             let keep = || {
-                let _end = Ends(&is_over);
+                let _end = OnDrop(|| {
+                    *is_over.lock() = true;
+                    is_over.wake();
+                });
                 guarding.run()
             };
             let spawned = thread.spawn_scoped(scope, self.moving.arm.clock().participating(keep));
@@ -150,15 +153,5 @@ impl GuardedRun<'_> {
             Err(stopping) if may_run => self.moving.arm.attach(ErrorKind::NotStopped { first, stopping }),
             _ => first,
         }
-    }
-}
-
-/// Says, when it is dropped, that a thread is at its end.
-struct Ends<'w>(&'w Watched<bool>);
-
-impl Drop for Ends<'_> {
-    fn drop(&mut self) {
-        *self.0.lock() = true;
-        self.0.wake();
     }
 }

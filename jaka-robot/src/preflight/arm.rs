@@ -9,10 +9,6 @@ use super::finding::{CheckItem, Finding, Judgement, either};
 
 const NO_MODEL: &str = "no model agrees with the controller";
 
-/// The arm that the robot should be, if it is known.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Expected(pub(super) Option<Limits>);
-
 /// Limits of a model that agrees with the controller, and the frames that it has then.
 type Agreeing = (Limits, Frames);
 
@@ -22,10 +18,10 @@ type Found = Result<(Judgement, Vec<Agreeing>), Judgement>;
 /// Joint positions, and the controller's poses at them.
 type Pairs = Vec<(JointPosition, Pose)>;
 
-/// Compares the model, or else all published ones.
-pub(super) fn read(expected: &Expected, commands: &mut Commands<'_>, findings: &mut Vec<Finding>) {
+/// Compares the model that the arm should have, or else all published ones.
+pub(super) fn read(limits: Option<&Limits>, commands: &mut Commands<'_>, findings: &mut Vec<Finding>) {
     let dh = commands.ask(&GetDhParam::new());
-    let (model, agreeing) = match &expected.0 {
+    let (model, agreeing) = match limits {
         Some(limits) => one(limits, dh.as_ref().ok(), commands),
         None => published(dh.as_ref().ok(), commands),
     }

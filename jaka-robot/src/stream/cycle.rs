@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use jaka_motion::{Dynamics, Generator, GeneratorError, Goal, Step};
 use jaka_proto::messages::types::JointPosition;
+use jaka_sync::layer::OnDrop;
 
 use super::StreamConfig;
 use super::target::{Order, Targets};
@@ -15,7 +16,7 @@ use crate::servo_session::course::Course;
 use crate::servo_session::{
     LagFit, LentArm, SetPoint, SetPoints, Supervision, beyond_limit, check_shows_joints, no_limits,
 };
-use crate::servo_thread::{Begun, OnDrop};
+use crate::servo_thread::Begun;
 use crate::{Cause, End, Error, ServoSession};
 
 /// A stream, from entering servo mode to leaving it. Says when it is ready, or why it does not begin.

@@ -12,20 +12,9 @@ use super::halves::Outbound;
 use super::outgoing::{Gate, Outgoing, SendError};
 use super::state::{LinkState, Mode};
 use super::{Link, Transmission, WIRE};
+use crate::on_drop::OnDrop;
 use crate::sync::MutexGuard;
 use crate::{Disconnect, Error};
-
-/// Abandons a request when it is dropped.
-struct Unawaited<'l> {
-    link: &'l Link,
-    request: RequestId,
-}
-
-impl Drop for Unawaited<'_> {
-    fn drop(&mut self) {
-        self.link.state.lock().exchange.abandon(self.request);
-    }
-}
 
 /// Commands that were sent.
 #[derive(Debug)]
@@ -57,13 +46,25 @@ impl Link {
         let dispatched = self.dispatch(outgoing, gate, count, write, lines.as_mut())?;
         if let Some(lines) = lines {
             // If the logger panics, no thread waits for the reply.
-            let unawaited = (!outgoing.is_posted).then(|| Unawaited { link: self, request: dispatched.last });
+            let abandon = || self.state.lock().exchange.abandon(dispatched.last);
+            let unawaited = (!outgoing.is_posted).then(|| OnDrop(abandon));
             for line in lines {
                 log::trace!(target: WIRE, "-> {line}");
             }
             std::mem::forget(unawaited);
         }
         Ok(dispatched)
+    }
+
+    /// Begins to send a stop: until the result is dropped, no thread starts to send another command.
+    pub(super) fn pass_first(&self) -> OnDrop<impl Fn()> {
+        self.passing.fetch_add(1, Ordering::SeqCst);
+        OnDrop(|| {
+            self.passing.fetch_sub(1, Ordering::SeqCst);
+            // With the lock, so that no thread is between checking and waiting.
+            let _state = self.state.lock();
+            self.state.wake();
+        })
     }
 
     /// Sends without logging; `lines` gets the requests that were sent.
@@ -75,7 +76,7 @@ impl Link {
         write: &mut dyn FnMut(usize, &mut Writer),
         lines: Option<&mut Vec<String>>,
     ) -> Result<Dispatched, SendError<R>> {
-        let _passing = outgoing.is_stop().then(|| Passing::new(self));
+        let _passing = outgoing.is_stop().then(|| self.pass_first());
         let (mut turn, mut state) = self.take_turn(outgoing)?;
         let (Some(outbound), Some(stream)) = (turn.outbound.as_mut(), state.stream.clone()) else {
             return Err(self.attach(outgoing.not_sent()).into());
@@ -242,25 +243,5 @@ impl Drop for Turn<'_> {
             self.link.state.lock().outbound = Some(outbound);
             self.link.state.wake();
         }
-    }
-}
-
-/// Stop that is being sent. Until it is dropped, no thread starts to send another command.
-#[derive(Debug)]
-pub(super) struct Passing<'l>(&'l Link);
-
-impl<'l> Passing<'l> {
-    pub(super) fn new(link: &'l Link) -> Self {
-        link.passing.fetch_add(1, Ordering::SeqCst);
-        Self(link)
-    }
-}
-
-impl Drop for Passing<'_> {
-    fn drop(&mut self) {
-        self.0.passing.fetch_sub(1, Ordering::SeqCst);
-        // With the lock, so that no thread is between checking and waiting.
-        let _state = self.0.state.lock();
-        self.0.state.wake();
     }
 }

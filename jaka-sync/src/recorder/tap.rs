@@ -8,8 +8,7 @@ use std::time::Duration;
 use jaka_clock::{Clock, Socket, lock};
 use jaka_proto::recording::{Ending, Entry, Event, Message, MotionStep, Port};
 
-use super::Track;
-use super::{Recorder, StatusSampling};
+use super::{Recorder, Track};
 use crate::{Disconnect, Error};
 
 /// Number of messages that an error keeps.
@@ -43,11 +42,11 @@ impl Tap {
         address: &str,
         port: Port,
         recorder: Option<&Recorder>,
-        sampling: StatusSampling,
+        status_interval: Duration,
         clock: &Clock,
     ) -> Self {
         let connection = recorder.map(|recorder| {
-            let track = recorder.track_by(clock, port, sampling);
+            let track = recorder.track_by(clock, port, status_interval);
             Arc::new(Connection { track, state: Mutex::default() })
         });
         Self { address: address.into(), connection }

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::net::TcpStream;
 use std::time::Duration;
 
-use jaka_proto::wire::DecodeError;
+use jaka_proto::wire::{Decode as _, DecodeError, Reader};
 use jaka_sim::SimulatedClock;
 use jaka_sync::status::RobotStatus;
 use jaka_sync::{Config, ErrorKind, Monitor, StatusStream};
@@ -62,11 +62,15 @@ fn fields(unfit: &[DecodeError]) -> Vec<&str> {
 #[test]
 fn a_choice_of_fields_has_those_that_fit() {
     let (controller, mut status) = stream();
-    let mut stops = Stops { protective_stop: Some(false), rapid_rate: Some(1.0) };
     for (packet, field) in UNFIT {
         send(&controller, packet);
-        status.next_packet_into(&mut stops).expect("the packet stays");
+        let stops: Stops = status.next_packet_as().expect("the packet stays");
         assert_eq!(stops, Stops { protective_stop: Some(true), rapid_rate: None }, "{field}");
+        // A monitor reads into the memory of an earlier packet.
+        let mut earlier = Stops { protective_stop: Some(false), rapid_rate: Some(1.0) };
+        let text = status.packet_text().expect("it was read");
+        earlier.decode_into(&mut Reader::new(text)).expect("the packet stays");
+        assert_eq!(earlier, stops, "{field}");
         let told = fields(status.unfit());
         assert_eq!(told, if field == "rapid_rate" { vec![field] } else { vec![] });
     }

@@ -9,7 +9,7 @@ use jaka_sim::{Builder, Deviation, Fault, Replay, ReplayTiming};
 use jaka_sync::kinematics::GetJointPos;
 use jaka_sync::power::GetVersion;
 use jaka_sync::types::Switch;
-use jaka_sync::{Client, Error, ErrorKind, Monitor, Recorder, StatusSampling, StatusStream};
+use jaka_sync::{Client, Error, ErrorKind, Monitor, Recorder, StatusStream};
 use jaka_tests::{Arm, LONG, RecordingBuffer, ReservedPort, events, recorded};
 use serde_json::json;
 
@@ -208,7 +208,7 @@ fn errors_of_each_kind_have_the_last_messages() {
 
 #[test]
 fn fewer_status_packets_can_be_recorded() {
-    let arm = Arm::simulated().config(|config| config.status_sampling(StatusSampling::EveryNth(4)));
+    let arm = Arm::simulated().config(|config| config.recorded_status_interval(Duration::from_millis(120)));
     let ((), recording) = recorded(arm, |arm| {
         let mut status = arm.stream();
         for _ in 0..9 {

@@ -260,8 +260,7 @@ pub fn joints(status: &mut jaka_robot::StatusStream) -> Result<Option<jaka_robot
     jaka_robot::status_subset! {
         struct Own { extio, digital_inputs, tool_rs_signals, task_state, }
     }
-    let mut own = Own::default();
-    status.newest_packet_into(&mut own)?;
+    let own: Own = status.newest_packet_as()?;
     drop((own.extio, own.digital_inputs, own.tool_rs_signals, own.task_state));
     let joints: Joints = status.newest_packet_as()?;
     Ok(joints.joint_actual_position.filter(|_| joints.in_position == Some(true)))

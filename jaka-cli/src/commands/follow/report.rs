@@ -1,5 +1,6 @@
 //! Report on a trajectory before it is followed, and on its end.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use jaka_motion::{Checker, Sample, Trajectory};
@@ -37,12 +38,6 @@ pub(super) struct Checked<'t> {
     pub(super) trajectory: &'t Trajectory,
     #[serde(flatten)]
     pub(super) peaks: &'t Peaks,
-}
-
-/// End of a trajectory, for programs.
-#[derive(Serialize)]
-struct OnlyEnd<'e> {
-    end: &'e End,
 }
 
 impl Peaks {
@@ -102,7 +97,7 @@ pub(super) fn checked(trajectory: &Trajectory, peaks: &Peaks, checker: &Checker)
 pub(super) fn print(ended: Ended, as_json: bool) -> Result<(), Failure> {
     let end = &ended.end;
     if as_json {
-        output::json_line(&OnlyEnd { end })?;
+        output::json_line(&BTreeMap::from([("end", end)]))?;
     } else if end.cause() == Cause::Reached {
         output::line(&completed(end))?;
     }

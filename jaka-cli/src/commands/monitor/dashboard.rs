@@ -16,5 +16,4 @@ mod view;
 
 pub(crate) use draw::draw;
 pub(crate) use feed::Feed;
-pub(crate) use keys::AfterKey;
 pub(crate) use view::View;

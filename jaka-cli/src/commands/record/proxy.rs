@@ -10,9 +10,9 @@ use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 
+use jaka_sync::Recorder;
 use jaka_sync::proto::text::visible;
 use jaka_sync::recording::{Event, Port};
-use jaka_sync::{Recorder, StatusSampling};
 use socket2::{SockRef, TcpKeepalive};
 
 use crate::terminal::output;
@@ -45,8 +45,8 @@ pub(crate) struct ProxyPort {
     pub(crate) recorder: Recorder,
     /// Queue of the recording thread.
     pub(crate) queue: RecordingQueue,
-    /// Selection of the recorded status packets.
-    pub(crate) sampling: StatusSampling,
+    /// Least time between two recorded status packets.
+    pub(crate) status_interval: Duration,
 }
 
 impl ProxyPort {
@@ -80,7 +80,7 @@ impl ProxyPort {
 
     /// Serves a client to the end of its connection.
     fn attend(&self, client: &TcpStream) {
-        let connection = ProxiedConnection::new(self.recorder.track(self.port, self.sampling), self.port);
+        let connection = ProxiedConnection::new(self.recorder.track(self.port, self.status_interval), self.port);
         let record = |event| self.queue.take(&connection, Passed::Event(event));
         let robot = set_options(client).and_then(|()| self.connect());
         match robot {

@@ -20,13 +20,17 @@ const SHOWN: usize = 160;
 const LISTED: usize = 5;
 
 /// Prints the entries, a line each, and a summary.
-pub(super) fn print(recording: &Recording, filter: &Filter) -> Result<(), Failure> {
+pub(super) fn print(recording: &Recording, filter: Option<&Filter>) -> Result<(), Failure> {
     let header = &recording.header;
     output::line(&format!("recorded by {}, from {}", header.software, utc::date_and_time(header.started)))?;
-    for entry in recording.entries.iter().filter(|entry| filter.shows(entry)) {
+    let is_shown = |entry: &&Entry| filter.is_none_or(|filter| filter.shows(entry));
+    let entries: Vec<_> = recording.entries.iter().filter(is_shown).collect();
+    for entry in &entries {
         output::line(&line(entry))?;
     }
-    output::lines(&format!("\n{}", summary(recording, filter)))
+    let mut answers = recording.answers();
+    answers.retain(|answered| filter.is_none_or(|filter| filter.names(&answered.request)));
+    output::lines(&format!("\n{}{}", requests(answers), packets(&entries)))
 }
 
 fn line(entry: &Entry) -> String {
@@ -47,10 +51,10 @@ fn describe(event: &Event) -> String {
     }
 }
 
-/// Returns a summary in numbers: a line for each number other than 0.
-fn summary(recording: &Recording, filter: &Filter) -> String {
+/// Returns the number of requests by their outcomes, with the slowest replies and the requests without one.
+fn requests(answers: Vec<Answered>) -> String {
     let (mut replies, mut unanswered, mut refused) = (Vec::new(), Vec::new(), 0);
-    for Answered { request, sent, answer, .. } in filter.answers(recording) {
+    for Answered { request, sent, answer, .. } in answers {
         let name = command_of(&request).unwrap_or_else(|| "a request without a name".to_owned());
         let line = format!("{:12.6}  {}", sent.as_secs_f64(), visible(&name));
         if let Answer::Reply { reply, after } = answer {
@@ -68,7 +72,7 @@ fn summary(recording: &Recording, filter: &Filter) -> String {
         let (requests, done) = (count(requests, "request"), slowest.len() - refused);
         text = format!("{requests}: {done} carried out, {refused} refused, {} without reply\n", unanswered.len());
     }
-    text + &list("slowest replies", &slowest) + &list("without reply", &unanswered) + &entries(recording, filter)
+    text + &list("slowest replies", &slowest) + &list("without reply", &unanswered)
 }
 
 /// Returns the first of some requests, if there are any.
@@ -81,22 +85,21 @@ fn list(title: &str, lines: &[String]) -> String {
 
 /// Returns the number of status packets, with the longest time between two of a connection, and the number of missing
 /// entries.
-fn entries(recording: &Recording, filter: &Filter) -> String {
-    let shown = || recording.entries.iter().filter(|entry| filter.shows(entry));
-    let is_packet = |entry: &&Entry| entry.port == Port::Status && matches!(entry.event, Event::Received(_));
+fn packets(entries: &[&Entry]) -> String {
+    let is_packet = |entry: &&&Entry| entry.port == Port::Status && matches!(entry.event, Event::Received(_));
     let mut text = String::new();
-    let packets = shown().filter(is_packet).count();
-    if packets > 0 {
+    let packets: Vec<_> = entries.iter().filter(is_packet).collect();
+    if !packets.is_empty() {
         let mut last = HashMap::new();
-        let gaps = shown().filter(is_packet).filter_map(|entry| {
+        let gaps = packets.iter().filter_map(|entry| {
             let before = last.insert(entry.connection, entry.time)?;
             Some((entry.time.saturating_sub(before).as_secs_f64(), entry.time.as_secs_f64()))
         });
         let longest = gaps.max_by(|one, other| one.0.total_cmp(&other.0));
         let longest = longest.map(|(gap, at)| format!(", the longest gap {gap:.6} s before {at:.6}"));
-        text = format!("{}{}\n", count(packets, "status packet"), longest.unwrap_or_default());
+        text = format!("{}{}\n", count(packets.len(), "status packet"), longest.unwrap_or_default());
     }
-    match shown().map(missing).sum::<u64>() {
+    match entries.iter().map(|entry| missing(entry)).sum::<u64>() {
         0 => text,
         missing => format!("{text}{missing} entries are missing, because the file could not be written fast enough\n"),
     }

@@ -10,32 +10,18 @@ use crate::packets::event;
 use crate::packets::fields::Field;
 use crate::text::csv::{cell, row};
 
-/// Columns: those of the first packet, since there is only one header.
-#[derive(Debug)]
-pub(super) enum LineColumns {
-    /// Requested fields.
-    Wanted(Vec<Field>),
-    /// Requested fields, divided into their parts.
-    Found(Vec<Field>),
-}
-
-impl LineColumns {
-    pub(super) fn new(fields: Vec<Field>) -> Self {
-        Self::Wanted(fields)
-    }
-
-    /// Returns a packet's line, with the header before the first. The cell of a missing value is empty.
-    pub(super) fn lines(&mut self, packet: &Packet) -> String {
-        let mut text = String::new();
-        if let Self::Wanted(fields) = self {
-            let columns: Vec<_> = fields.drain(..).flat_map(|field| field.leaves(&packet.tree)).collect();
-            text = row(once("time_s".to_owned()).chain(columns.iter().map(|column| column.name.clone())));
-            *self = Self::Found(columns);
-        }
-        let (Self::Wanted(columns) | Self::Found(columns)) = self;
-        let cells = columns.iter().map(|column| cell(column.named_value(&packet.tree)));
-        text + &row(once(format!("{:.3}", packet.time)).chain(cells))
-    }
+/// Returns a packet's line, with the header before the first. The cell of a missing value is empty.
+///
+/// The columns are the parts of the requested fields in the first packet, since there is only one header.
+pub(super) fn csv(fields: &[Field], columns: &mut Option<Vec<Field>>, packet: &Packet) -> String {
+    let mut header = String::new();
+    let columns = columns.get_or_insert_with(|| {
+        let parts: Vec<_> = fields.iter().cloned().flat_map(|field| field.leaves(&packet.tree)).collect();
+        header = row(once("time_s".to_owned()).chain(parts.iter().map(|part| part.name.clone())));
+        parts
+    });
+    let cells = columns.iter().map(|column| cell(column.named_value(&packet.tree)));
+    header + &row(once(format!("{:.3}", packet.time)).chain(cells))
 }
 
 /// Returns a packet as one line, with its fields in the requested order. A missing field is null.

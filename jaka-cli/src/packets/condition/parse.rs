@@ -1,22 +1,27 @@
 //! Parser of conditions.
 
+use std::cmp::Ordering;
+
 use jaka_sync::proto::text::visible;
 use serde_json::{Number, Value};
 
-use super::{Comparison, Expression, Misread};
+use super::{Expression, Misread};
 use crate::packets::fields::{Field, Kind};
 
 /// Greatest nesting depth of a condition.
 const DEEPEST: usize = 50;
 
+/// Sign of a comparison, and whether it holds for an ordering of the two values.
+type Comparison = (&'static str, fn(Ordering) -> bool);
+
 /// Comparison operators, the longer ones first.
-const COMPARISONS: [(&str, Comparison); 6] = [
-    ("==", Comparison::Equal),
-    ("!=", Comparison::NotEqual),
-    ("<=", Comparison::LessOrEqual),
-    (">=", Comparison::GreaterOrEqual),
-    ("<", Comparison::Less),
-    (">", Comparison::Greater),
+const COMPARISONS: [Comparison; 6] = [
+    ("==", Ordering::is_eq),
+    ("!=", Ordering::is_ne),
+    ("<=", Ordering::is_le),
+    (">=", Ordering::is_ge),
+    ("<", Ordering::is_lt),
+    (">", Ordering::is_gt),
 ];
 
 /// Parses a condition.
@@ -111,28 +116,27 @@ impl<'t> ConditionParser<'t> {
 
     fn comparison(&mut self) -> Result<Part, Misread> {
         let one = self.operand()?;
-        let sign = self.column();
-        let Some(comparison) = self.take_comparison() else { return Ok(one) };
+        let column = self.column();
+        let Some((sign, holds)) = self.take_comparison() else { return Ok(one) };
         let other = self.operand()?;
         let after = self.column();
         if self.take_comparison().is_some() {
             return Err(Misread::new(after, "compare two values at a time, and join comparisons with `&&`"));
         }
-        let is_equality = matches!(comparison, Comparison::Equal | Comparison::NotEqual);
         match (one.kind, other.kind) {
             (Kind::Number, Kind::Number) => {}
-            (Kind::Truth, Kind::Truth) if is_equality => {}
+            (Kind::Truth, Kind::Truth) if ["==", "!="].contains(&sign) => {}
             (Kind::Truth, Kind::Truth) => {
-                return Err(Misread::new(sign, "truth values can only be compared with `==` and `!=`"));
+                return Err(Misread::new(column, "truth values can only be compared with `==` and `!=`"));
             }
-            _ => return Err(Misread::new(sign, "a truth value and a number cannot be compared")),
+            _ => return Err(Misread::new(column, "a truth value and a number cannot be compared")),
         }
-        let expression = Expression::Compare(comparison, Box::new(one.expression), Box::new(other.expression));
+        let expression = Expression::Compare(holds, Box::new(one.expression), Box::new(other.expression));
         Ok(Part { expression, kind: Kind::Truth, column: one.column })
     }
 
     fn take_comparison(&mut self) -> Option<Comparison> {
-        COMPARISONS.into_iter().find(|(sign, _)| self.takes(sign)).map(|(_, comparison)| comparison)
+        COMPARISONS.into_iter().find(|(sign, _)| self.takes(sign))
     }
 
     fn operand(&mut self) -> Result<Part, Misread> {

@@ -7,7 +7,6 @@ use jaka_proto::exchange::TextOnly;
 
 use super::*;
 use crate::StopHandle;
-use crate::link::outbound::Passing;
 
 /// A deadline that is short, and long enough for a busy machine to begin.
 const SHORT: Duration = Duration::from_millis(300);
@@ -202,7 +201,7 @@ fn while_a_stop_is_on_its_way_out_no_other_command_begins_to_go_out() {
             drop(turn);
         })
     };
-    let stop = Passing::new(&link);
+    let stop = link.pass_first();
     let error = send(None).expect_err("the stop goes first");
     assert!(matches!(error.kind(), ErrorKind::NotSentInTime { .. }), "{error:?}");
     send(Some(Role::Stop)).expect("nobody else sends");

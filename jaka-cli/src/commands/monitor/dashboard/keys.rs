@@ -5,15 +5,6 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use super::View;
 use super::view::Page;
 
-/// Effect of a key on the dashboard.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum AfterKey {
-    /// The dashboard continues.
-    Continue,
-    /// The dashboard ends.
-    Quit,
-}
-
 /// Keys, for the help.
 pub(super) const KEYS: [(&str, &str); 6] = [
     ("q, Esc, Ctrl-C", "quit"),
@@ -25,15 +16,15 @@ pub(super) const KEYS: [(&str, &str); 6] = [
 ];
 
 impl View {
-    /// Carries out a key.
-    pub(crate) fn key(&mut self, key: KeyEvent) -> AfterKey {
+    /// Carries out a key. True if it ends the dashboard.
+    pub(crate) fn ends_after(&mut self, key: KeyEvent) -> bool {
         if key.kind == KeyEventKind::Release {
-            return AfterKey::Continue;
+            return false;
         }
         match key.code {
-            KeyCode::Char('c') if key.modifiers.contains(KeyModifiers::CONTROL) => return AfterKey::Quit,
-            KeyCode::Char('q' | 'Q') => return AfterKey::Quit,
-            KeyCode::Esc if !self.help => return AfterKey::Quit,
+            KeyCode::Char('c') if key.modifiers.contains(KeyModifiers::CONTROL) => return true,
+            KeyCode::Char('q' | 'Q') => return true,
+            KeyCode::Esc if !self.help => return true,
             KeyCode::Esc => self.help = false,
             KeyCode::Char('?' | 'h') => self.help = !self.help,
             KeyCode::Char('p' | ' ') => self.paused = !self.paused,
@@ -49,7 +40,7 @@ impl View {
             KeyCode::Home => self.scroll = 0,
             _ => {}
         }
-        AfterKey::Continue
+        false
     }
 
     fn turn_to(&mut self, page: Page) {
@@ -63,8 +54,8 @@ impl View {
 mod tests {
     use super::*;
 
-    fn press(view: &mut View, code: KeyCode) -> AfterKey {
-        view.key(KeyEvent::new(code, KeyModifiers::NONE))
+    fn press(view: &mut View, code: KeyCode) -> bool {
+        view.ends_after(KeyEvent::new(code, KeyModifiers::NONE))
     }
 
     #[test]
@@ -82,11 +73,11 @@ mod tests {
     #[test]
     fn the_usual_keys_quit() {
         let mut view = View::default();
-        assert_eq!(press(&mut view, KeyCode::Char('q')), AfterKey::Quit);
-        assert_eq!(view.key(KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL)), AfterKey::Quit);
-        assert_eq!(press(&mut view, KeyCode::Char('c')), AfterKey::Continue);
+        assert!(press(&mut view, KeyCode::Char('q')));
+        assert!(view.ends_after(KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL)));
+        assert!(!press(&mut view, KeyCode::Char('c')));
         press(&mut view, KeyCode::Char('?'));
-        assert_eq!(press(&mut view, KeyCode::Esc), AfterKey::Continue, "closes the help");
-        assert_eq!(press(&mut view, KeyCode::Esc), AfterKey::Quit);
+        assert!(!press(&mut view, KeyCode::Esc), "closes the help");
+        assert!(press(&mut view, KeyCode::Esc));
     }
 }

@@ -199,9 +199,10 @@ fn work(waiting: &Receiver<Waiting>, bytes: &AtomicUsize) {
 mod tests {
     use std::io::{Read, Write};
     use std::net::{Shutdown, TcpListener, TcpStream};
+    use std::time::Duration;
 
+    use jaka_robot::Recorder;
     use jaka_robot::recording::Recording;
-    use jaka_robot::{Recorder, StatusSampling};
     use jaka_tests::{LONG, RecordingBuffer};
 
     use super::super::pipe::Pipe;
@@ -220,7 +221,7 @@ mod tests {
         let recorder = Recorder::new(io::sink()).expect("a thread can be had");
         let queue = RecordingQueue::start().expect("a thread can be had");
         for garbage in [&b"x{}"[..], b"{", b"}", b"{\""] {
-            let connection = ProxiedConnection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
+            let connection = ProxiedConnection::new(recorder.track(Port::Command, Duration::ZERO), Port::Command);
             let ((mut program, client), (robot, mut controller)) = (connected(), connected());
             controller.set_read_timeout(Some(LONG)).expect("a timeout can be set");
             let bytes = [&garbage.repeat((1 << 20) / garbage.len()), STOP].concat();
@@ -246,7 +247,7 @@ mod tests {
         let buffer = RecordingBuffer::default();
         let recorder = Recorder::new(buffer.clone()).expect("a thread can be had");
         let queue = RecordingQueue::start().expect("a thread can be had");
-        let connection = ProxiedConnection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
+        let connection = ProxiedConnection::new(recorder.track(Port::Command, Duration::ZERO), Port::Command);
         queue.take(&connection, Passed::Bytes(Direction::ToRobot, b"{\"a\":1}{\"cut".to_vec()));
         assert_eq!(queue.finish(), 0);
         recorder.finish().expect("memory can be written");
@@ -260,7 +261,7 @@ mod tests {
         let buffer = RecordingBuffer::default();
         let recorder = Recorder::new(buffer.clone()).expect("a thread can be had");
         let queue = RecordingQueue::with_limit(2 * OVERHEAD).expect("a thread can be had");
-        let connection = ProxiedConnection::new(recorder.track(Port::Command, StatusSampling::All), Port::Command);
+        let connection = ProxiedConnection::new(recorder.track(Port::Command, Duration::ZERO), Port::Command);
         let bytes = |direction, text: &str| Passed::Bytes(direction, text.as_bytes().to_vec());
         // While the thread records this piece, the others wait.
         let blocked = connection.frames(Direction::ToRobot);
