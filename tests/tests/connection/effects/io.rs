@@ -1,7 +1,6 @@
 //! Inputs and outputs.
 
-use jaka_proto::messages::io::literal;
-use jaka_sync::io::{DigitalOutputKind, FunctionInput, FunctionInputKind, SetAnalogOutput, SetDigitalOutput};
+use jaka_sync::io::{DigitalOutputKind, FunctionInputKind, SetAnalogOutput, SetDigitalOutput};
 use jaka_sync::types::Switch;
 
 use super::arm::Arm;
@@ -51,7 +50,8 @@ fn extension_modules_are_read(arm: &mut Arm) {
 }
 
 fn function_inputs_are_read(arm: &mut Arm) {
-    let input = FunctionInput::from(literal::FunctionInput { kind: FunctionInputKind::Tool, index: 1 });
+    let mut input = arm.controller.state().function_inputs[3];
+    (input.kind, input.index) = (FunctionInputKind::Tool, 1);
     arm.controller.set_state(|state| state.function_inputs[3] = input);
     let inputs = arm.client.get_funcdi_status().expect("it answers").function_inputs;
     assert_eq!(inputs[3], input);

@@ -1,7 +1,6 @@
 //! User-defined system variables.
 
-use jaka_proto::messages::variables::literal;
-use jaka_sync::variables::{ModifyUserDefinedVariable, UserVariable};
+use jaka_sync::variables::ModifyUserDefinedVariable;
 
 use super::arm::{Arm, refused};
 
@@ -11,7 +10,8 @@ effects! {
 }
 
 fn variables_are_read(arm: &mut Arm) {
-    let speed = UserVariable::from(literal::UserVariable { alias: "speed".to_owned(), id: 5501, value: 2.5 });
+    let mut speed = arm.controller.state().variables[0].clone();
+    (speed.alias, speed.id, speed.value) = ("speed".to_owned(), 5501, 2.5);
     arm.controller.set_state(|state| state.variables.push(speed.clone()));
     let variables = arm.client.query_user_defined_variable().expect("it answers").variables;
     assert_eq!((variables.len(), variables.last()), (2, Some(&speed)));
@@ -22,8 +22,6 @@ fn a_variable_is_given_back(arm: &mut Arm) {
     arm.client.modify_user_defined_variable(&modify(5500)).expect("there is such a variable");
     refused(arm.client.modify_user_defined_variable(&modify(5999)));
     let variables = arm.client.query_user_defined_variable().expect("it answers").variables;
-    assert_eq!(
-        variables,
-        [UserVariable::from(literal::UserVariable { alias: "count".to_owned(), id: 5500, value: 14.0 })]
-    );
+    let variables: Vec<_> = variables.iter().map(|one| (&*one.alias, one.id, one.value)).collect();
+    assert_eq!(variables, [("count", 5500, 14.0)]);
 }
