@@ -12,7 +12,7 @@ effects! {
 fn the_reaction_is_kept(arm: &mut Arm) {
     for (delay, action) in [(100, NetworkExceptionAction::Terminate), (0, NetworkExceptionAction::Keep)] {
         arm.client.set_network_exception_handle(&SetNetworkExceptionHandle::new(delay, action)).expect("it answers");
-        let kept = arm.controller.state().network_exception;
-        assert_eq!((kept.delay_ms, kept.action), (delay, action));
+        let kept = &arm.controller.state().remembered["set_network_exception_handle"];
+        assert_eq!((kept["delay"].as_i64(), kept["action"].as_i64()), (Some(delay), Some(action.into())));
     }
 }

@@ -74,7 +74,7 @@ fn a_test_sets_what_is_remembered() {
     let mut arm = Arm::ready();
     let before = arm.client.get_traj_config().expect("it answers");
     arm.controller.set_state(|state| {
-        let fields = state.remembered.entry("get_traj_config".to_owned()).or_default();
+        let fields = state.remembered.entry("set_traj_config".to_owned()).or_default();
         fields.insert("speed".to_owned(), 45.into());
     });
     let reply = arm.client.get_traj_config().expect("it answers");

@@ -40,7 +40,7 @@ fn status(arm: &mut Arm) -> IdentifyStatus {
 fn the_mode_is_kept(arm: &mut Arm) {
     for mode in [1, 0] {
         arm.client.set_torque_sensor_mode(mode).expect("it answers");
-        assert_eq!(arm.controller.state().torque_sensor.mode, mode);
+        assert_eq!(arm.controller.state().remembered["set_torque_sensor_mode"]["mode"], mode);
     }
 }
 
