@@ -148,18 +148,6 @@ pub struct PythonError {
     expected: &'static str,
 }
 
-impl PythonError {
-    /// Position of the error, as an offset in bytes.
-    pub fn position(&self) -> usize {
-        self.position
-    }
-
-    /// Syntax that was expected there, such as `a value`.
-    pub fn expected(&self) -> &'static str {
-        self.expected
-    }
-}
-
 impl fmt::Display for PythonError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "python literal: expected {} at byte {}", self.expected, self.position)
