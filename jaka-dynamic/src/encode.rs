@@ -207,8 +207,8 @@ fn is_value(value: &Value, wire: i64, name: &str) -> bool {
     value.as_i64() == Some(wire) || value.as_str().is_some_and(|text| same(text, name))
 }
 
-/// Returns the advice for a field, which is one of `fields` with `values`, and the factor of its bounds; no advice if the
-/// caller leaves that to the controller.
+/// Returns the advice for a field, which is one of `fields` with `values`, and the factor of its bounds. There is no
+/// advice if the caller leaves that to the controller.
 fn rows<'a>(
     spec: &Spec,
     fields: &[Field],
