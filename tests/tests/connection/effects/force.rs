@@ -77,7 +77,7 @@ fn the_condition_is_kept(arm: &mut Arm) {
     let condition = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
     arm.client.set_compliance_condition(&SetComplianceCondition::new(condition)).expect("it answers");
     let kept = &arm.controller.state().remembered["set_compliance_condition"]["condition"];
-    assert_eq!(kept.to_string(), "[1.0,2.0,3.0,4.0,5.0,6.0]");
+    assert_eq!(kept.to_string(), "[1,2,3,4,5,6]");
 }
 
 /// No command reads it back.
