@@ -26,15 +26,14 @@ fn written(points: &[TimedPoint]) -> [String; 2] {
     };
     let names = lists(&points[0]).into_iter();
     let columns = names.flat_map(|(name, _, unit, _)| (1..=6).map(move |joint| format!(",{name}_{joint}_{unit}")));
-    let mut csv = format!("time_s{}\n", columns.collect::<String>());
-    let mut objects = Vec::new();
+    let (mut rows, mut objects) = (vec![format!("time_s{}\n", columns.collect::<String>())], Vec::new());
     for point in points {
         let numbers = lists(point).into_iter().flat_map(|(.., list)| list).map(|number| format!(",{number}"));
-        csv += &format!("{}{}\n", point.time_s, numbers.collect::<String>());
+        rows.push(format!("{}{}\n", point.time_s, numbers.collect::<String>()));
         let members = lists(point).into_iter().map(|(_, key, unit, list)| format!(", \"{key}_{unit}\": {list:?}"));
         objects.push(format!("{{\"time_s\": {}{}}}", point.time_s, members.collect::<String>()));
     }
-    [csv, format!("{{\"points\": [\n{}\n]}}\n", objects.join(",\n"))]
+    [rows.concat(), format!("{{\"points\": [\n{}\n]}}\n", objects.join(",\n"))]
 }
 
 #[test]
