@@ -142,7 +142,7 @@ fn following_a_trajectory_allocates_nothing_and_takes_no_memory_of_its_own() {
             follower.set_scale([1.0, 0.4, 0.0, 0.7, 1.0, 0.9][number / 50 % 6]);
             follower.advance();
         }
-        assert!(follower.periods_to_rest(1000).is_some());
+        assert!(follower.stopping().look_ahead(1000).is_some());
         follower.paused();
         follower.take_back();
     });

@@ -82,8 +82,8 @@ impl Encoder<'_> {
             // An element of an array cannot be left out before one that is given.
             let gap = field.wire.is_empty() && values[index..].iter().any(Option::is_some);
             let place = member(outer, &field.name);
-            let rows = rows(self.spec, fields, (field, self.ranges), values);
-            let advised = if rows.list.is_empty() { advised } else { Advised::to(&rows.list).times(rows.times) };
+            let (rows, times) = rows(self.spec, fields, (field, self.ranges), values);
+            let advised = if rows.is_empty() { advised } else { Advised::to(&rows).times(times) };
             let slot = Slot::of(self.spec, field).advised(advised);
             if let Some(value) = value {
                 if field.wire.is_empty() {
@@ -207,20 +207,14 @@ fn is_value(value: &Value, wire: i64, name: &str) -> bool {
     value.as_i64() == Some(wire) || value.as_str().is_some_and(|text| same(text, name))
 }
 
-/// Advice that applies, and the factor of its bounds.
-struct Rows<'a> {
-    list: Vec<Advice<'a>>,
-    times: Option<i64>,
-}
-
-/// Returns the advice for a field, which is one of `fields` with `values`; none if the caller leaves advice to the
-/// controller.
+/// Returns the advice for a field, which is one of `fields` with `values`, and the factor of its bounds. There is no
+/// advice if the caller leaves that to the controller.
 fn rows<'a>(
     spec: &Spec,
     fields: &[Field],
     (field, ranges): (&'a Field, AdvisoryRanges),
     values: &[Option<&Value>],
-) -> Rows<'a> {
+) -> (Vec<Advice<'a>>, Option<i64>) {
     let sibling = |name: &String| {
         let at = fields.iter().position(|other| other.name == *name)?;
         Some((&fields[at], values[at]?))
@@ -239,7 +233,7 @@ fn rows<'a>(
         nonzero: advice.nonzero,
         unit: advice.unit.as_deref().unwrap_or_default(),
     };
-    Rows { list: held.iter().map(row).collect(), times }
+    (held.iter().map(row).collect(), times)
 }
 
 /// Whether the value given for an enum is the one with this number.

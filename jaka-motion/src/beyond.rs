@@ -172,15 +172,6 @@ pub enum Way {
 /// Exceeded limit, and the share of the path at which it is exceeded.
 pub(crate) type Found = (Exceeded, f64);
 
-/// Place on the path as text; empty at the end of the path.
-struct At<'a>(&'a Beyond, &'static str);
-
-/// Number with one decimal, or with as many as distinguish it from a second number.
-struct Apart(f64, f64);
-
-/// Number rounded down to one decimal, or to three significant digits if it is small.
-struct Below(f64);
-
 impl Exceeded {
     /// Returns the limit in its form for a stop after a set-point, if it has one.
     pub(crate) fn at_stop(self) -> Self {
@@ -212,37 +203,37 @@ impl std::error::Error for Beyond {}
 
 impl fmt::Display for Beyond {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (at, on_the_way) = (At(self, self.way.noun()), At(self, "its path"));
+        let (at, on_the_way) = (self.place(&format!("the {}", self.way.noun())), self.place("its path"));
         match &self.exceeded {
             Exceeded::JointRange { joint, position_deg, limit_deg } => {
-                let position = Apart(*position_deg, *limit_deg);
+                let position = apart(*position_deg, *limit_deg);
                 write!(f, "joint {joint} would be at {position} deg{at}; limit {limit_deg}")?;
             }
             Exceeded::JointSpeed { joint, speed_deg_s, limit_deg_s, near } => {
-                write!(f, "joint {joint} would turn at {} deg/s{at}", Apart(*speed_deg_s, *limit_deg_s))?;
+                write!(f, "joint {joint} would turn at {} deg/s{at}", apart(*speed_deg_s, *limit_deg_s))?;
                 if let Some(near) = near {
                     write!(f, ", near the {near} singularity")?;
                 }
                 write!(f, "; limit {limit_deg_s}")?;
             }
             Exceeded::JointAcceleration { joint, acceleration_deg_s2, limit_deg_s2 } => {
-                let acceleration = Apart(*acceleration_deg_s2, *limit_deg_s2);
+                let acceleration = apart(*acceleration_deg_s2, *limit_deg_s2);
                 write!(f, "joint {joint} would accelerate by {acceleration} deg/s²{at}; limit {limit_deg_s2}")?;
             }
             Exceeded::NoAcceleration { most_deg_s2 } => write!(
                 f,
                 "no acceleration given; the controller's own is not known; give at most {} deg/s²",
-                Below(*most_deg_s2)
+                below(*most_deg_s2)
             )?,
             Exceeded::TcpSpeed { speed_mm_s, limit_mm_s } => {
-                let speed = Apart(*speed_mm_s, *limit_mm_s);
+                let speed = apart(*speed_mm_s, *limit_mm_s);
                 write!(f, "the tool centre point would move at {speed} mm/s{at}; limit {limit_mm_s}")?;
             }
             Exceeded::Region { name, point, by_mm, tolerance_mm } => {
                 write!(
                     f,
                     "the {point} would be {} mm beyond `{}`{on_the_way}",
-                    Apart(*by_mm, 0.0),
+                    apart(*by_mm, 0.0),
                     name.escape_debug()
                 )?;
                 if *tolerance_mm > 0.0 {
@@ -250,21 +241,21 @@ impl fmt::Display for Beyond {
                 }
             }
             Exceeded::LandingRange { joint, end_deg, limit_deg } => {
-                let end = Apart(*end_deg, *limit_deg);
+                let end = apart(*end_deg, *limit_deg);
                 write!(f, "the arm could not stop before joint {joint} is at {end} deg; limit {limit_deg}")?;
             }
             Exceeded::LandingRegion { name, point, by_mm } => {
-                let (by, name) = (Apart(*by_mm, 0.0), name.escape_debug());
+                let (by, name) = (apart(*by_mm, 0.0), name.escape_debug());
                 write!(f, "the arm could not stop before the {point} is {by} mm beyond `{name}`")?;
             }
             Exceeded::LandingWay { way_mm, limit_mm } => {
-                let way = Apart(*way_mm, *limit_mm);
+                let way = apart(*way_mm, *limit_mm);
                 write!(
                     f,
                     "the arm could not stop before the tool centre point has moved on by {way} mm; limit {limit_mm}"
                 )?;
             }
-            Exceeded::OutOfReach { by_mm } => write!(f, "out of reach by {} mm{at}", Apart(*by_mm, 0.0))?,
+            Exceeded::OutOfReach { by_mm } => write!(f, "out of reach by {} mm{at}", apart(*by_mm, 0.0))?,
             Exceeded::Orientation => write!(f, "the orientation is out of reach{at}")?,
             Exceeded::Singularity { which, .. } => {
                 write!(f, "the {} passes the {which} singularity{on_the_way}", self.way.noun())?;
@@ -296,34 +287,25 @@ impl Way {
     }
 }
 
-impl fmt::Display for At<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(Beyond { way, share, .. }, noun) = self;
-        if matches!(way, Way::Place | Way::SetPoint | Way::Trajectory) || *share >= 1.0 {
-            return Ok(());
+impl Beyond {
+    /// Returns the place on the path as text; empty at the end of the path.
+    fn place(&self, noun: &str) -> String {
+        if matches!(self.way, Way::Place | Way::SetPoint | Way::Trajectory) || self.share >= 1.0 {
+            return String::new();
         }
-        let of = if *noun == "its path" { "" } else { "the " };
-        write!(f, " at {:.0} % of {of}{noun}", share * 100.0)
+        format!(" at {:.0} % of {noun}", self.share * 100.0)
     }
 }
 
-impl fmt::Display for Apart {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(number, other) = *self;
-        let rounded = |number: f64, scale: f64| (number * scale).round() / scale;
-        for scale in [10.0, 100.0, 1e3, 1e4, 1e5, 1e6] {
-            let shown = rounded(number, scale);
-            if (shown - other).abs() >= 0.5 / scale {
-                return write!(f, "{shown}");
-            }
-        }
-        write!(f, "{number}")
-    }
+/// Returns the number with one decimal, or with as many as distinguish it from another.
+fn apart(number: f64, other: f64) -> f64 {
+    let rounded = [10.0, 100.0, 1e3, 1e4, 1e5, 1e6].map(|scale| ((number * scale).round() / scale, scale));
+    let shown = rounded.into_iter().find(|(shown, scale)| (shown - other).abs() >= 0.5 / scale);
+    shown.map_or(number, |(shown, _)| shown)
 }
 
-impl fmt::Display for Below {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let scale = if self.0 >= 1.0 { 10.0 } else { 1e3 };
-        write!(f, "{}", (self.0 * scale).floor() / scale)
-    }
+/// Returns the number rounded down to one decimal, or to three significant digits if it is small.
+fn below(number: f64) -> f64 {
+    let scale = if number >= 1.0 { 10.0 } else { 1e3 };
+    (number * scale).floor() / scale
 }

@@ -29,7 +29,7 @@ use crate::trajectory::{RateChange, Trajectory, TrajectoryError};
 ///   ([`Limits::stop_accelerations`](crate::Limits::stop_accelerations)).
 ///
 /// Where a trajectory uses all of a joint's acceleration, the rate stays constant until the curve leaves room, except
-/// for a brake. [`periods_to_rest`](Self::periods_to_rest) returns the duration of a stop.
+/// for a brake. [`stopping`](Self::stopping) computes the duration of a stop.
 ///
 /// Only `new` allocates. The follower shares the trajectory's pieces, and holds some hundred bytes in addition.
 #[derive(Debug, Clone)]
@@ -39,7 +39,8 @@ pub struct Follower {
     checker: Checker,
     period_s: f64,
     scale: f64,
-    limits: ChangeLimits,
+    /// Whether the rate changes within the accelerations of stops, and not of motions.
+    brakes: bool,
     state: State,
     /// State at the previous set-point.
     before: State,
@@ -55,15 +56,6 @@ struct State {
     joints: JointPosition,
     /// Distance of each joint from the previous set-point, in degrees.
     step: [f64; 6],
-}
-
-/// Accelerations within which the rate changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum ChangeLimits {
-    /// Accelerations of motions.
-    Motion,
-    /// Accelerations of stops.
-    Stop,
 }
 
 /// Look-ahead along a stop on the curve before it is made. Made by [`Follower::stopping`].
@@ -102,16 +94,7 @@ impl Follower {
         }
         let state = State { time_s: 0.0, rate: 1.0, change: 0.0, joints: trajectory.start(), step: [0.0; 6] };
         let (duration_s, checker) = (trajectory.duration_s(), checker.clone());
-        Ok(Self {
-            trajectory,
-            duration_s,
-            checker,
-            period_s,
-            scale: 1.0,
-            limits: ChangeLimits::Motion,
-            state,
-            before: state,
-        })
+        Ok(Self { trajectory, duration_s, checker, period_s, scale: 1.0, brakes: false, state, before: state })
     }
 
     /// Sets the requested scale of the trajectory's speed, from 0 for a pause to 1. Numbers beyond that count as 0 or
@@ -119,7 +102,7 @@ impl Follower {
     ///
     /// Before the first set-point the rate takes this value at once.
     pub fn set_scale(&mut self, scale: f64) {
-        self.limits = ChangeLimits::Motion;
+        self.brakes = false;
         self.scale = if scale.is_nan() { 0.0 } else { scale.clamp(0.0, 1.0) };
         if self.state.time_s == 0.0 && self.state.change == 0.0 && self.state.step.iter().all(|step| *step == 0.0) {
             self.state.rate = self.scale;
@@ -132,7 +115,7 @@ impl Follower {
     /// trajectory leaves of the accelerations of motions.
     pub fn brake(&mut self) {
         self.set_scale(0.0);
-        self.limits = ChangeLimits::Stop;
+        self.brakes = true;
     }
 
     /// Returns the set-point a period after the last one.
@@ -183,16 +166,8 @@ impl Follower {
     pub fn stopping(&self) -> Stopping {
         let mut follower = self.clone();
         follower.set_scale(0.0);
-        follower.limits = self.limits;
+        follower.brakes = self.brakes;
         Stopping { follower, periods: 0 }
-    }
-
-    /// Returns the number of periods to rest for a scale of 0 from now on, or for a brake if it [brakes](Self::brake)
-    /// already; `None` if that takes more than `most`.
-    ///
-    /// It computes each of these set-points; [`stopping`](Self::stopping) does that step by step.
-    pub fn periods_to_rest(&self, most: u32) -> Option<u32> {
-        self.stopping().look_ahead(most)
     }
 
     /// Returns the contact on the trajectory with the longest travel of the tool centre point after it, if that is
@@ -224,10 +199,10 @@ impl Follower {
     fn wanted_changes(&self) -> [f64; 2] {
         let State { time_s, rate, .. } = self.state;
         let (from_s, to_s) = (time_s - rate * self.period_s, time_s + self.period_s);
-        let RateChange { fall, rise, .. } = self.trajectory.rate_change_between(from_s, to_s, rate);
+        let RateChange { fall, rise, .. } = self.trajectory.rate_change(from_s, to_s, rate);
         // A change from 0 to 1 in one period is the greatest possible.
         let [fall, rise] = [fall, rise].map(|allowed| (allowed * self.period_s).min(1.0));
-        if self.limits == ChangeLimits::Stop {
+        if self.brakes {
             let at_once = -rate.min(fall);
             return [self.stop_change().min(at_once), at_once];
         }
@@ -286,7 +261,7 @@ impl Follower {
     }
 
     fn fits(&self, next: &State) -> bool {
-        if self.limits == ChangeLimits::Stop {
+        if self.brakes {
             return self.checker.limits().axes().check_change(&next.step, &self.state.step, self.period_s).is_ok();
         }
         let (squared, limits) = (self.period_s * self.period_s, self.checker.limits().joint_accelerations());

@@ -196,12 +196,17 @@ impl Model {
     /// A length differs from the published one by more than 5 mm, or an angle by more than 1 degree: it is another arm,
     /// or the parameters have another meaning.
     pub fn with_dh(&self, reply: &GetDhParamReply) -> Result<Self, DhMismatch> {
-        let (published, GetDhParamReply { alpha, a, d, joint_home_offset, .. }) = (&self.links, reply);
-        self.compare("alpha", alpha, &published.alpha, ANGLE)?;
-        self.compare("a", a, &published.a, LENGTH)?;
-        self.compare("d", d, &published.d, LENGTH)?;
-        self.compare("joint_home_offset", joint_home_offset, &published.joint_home_offset, ANGLE)?;
-        let links = Links { alpha: *alpha, a: *a, d: *d, joint_home_offset: *joint_home_offset };
+        let GetDhParamReply { alpha, a, d, joint_home_offset, .. } = *reply;
+        self.with_links(Links { alpha, a, d, joint_home_offset })
+    }
+
+    /// Returns this arm with these parameters, if they are near its own.
+    pub(crate) fn with_links(&self, links: Links) -> Result<Self, DhMismatch> {
+        let published = &self.links;
+        self.compare("alpha", &links.alpha, &published.alpha, ANGLE)?;
+        self.compare("a", &links.a, &published.a, LENGTH)?;
+        self.compare("d", &links.d, &published.d, LENGTH)?;
+        self.compare("joint_home_offset", &links.joint_home_offset, &published.joint_home_offset, ANGLE)?;
         let mut model = Self { links, ..self.clone() };
         model.closed_form.links = self.closed_form.nearest_to(&links);
         if model.closed_form.links != links {

@@ -93,33 +93,6 @@ impl<'t> Report<'t> {
     }
 }
 
-/// Returns the known name that is most like `name`, if one differs by at most a third of its length.
-#[cfg(feature = "trajectory-files")]
-pub(crate) fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> Option<&'n str> {
-    let most = name.len().div_ceil(3);
-    let length = name.chars().count();
-    // No name is nearer than the difference of the lengths: a very long one is excluded immediately.
-    let known = known.filter(|known| known.chars().count().abs_diff(length) <= most);
-    let distances = known.map(|known| (distance(name, known), known));
-    distances.filter(|(distance, _)| *distance <= most).min().map(|(_, known)| known)
-}
-
-/// Returns the number of insertions, deletions and changes of characters from one name to the other.
-#[cfg(feature = "trajectory-files")]
-fn distance(one: &str, other: &str) -> usize {
-    let mut row: Vec<usize> = (0..=other.chars().count()).collect();
-    for (i, a) in one.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, b) in other.chars().enumerate() {
-            let changed = diagonal + usize::from(!a.eq_ignore_ascii_case(&b));
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row.last().copied().unwrap_or_default()
-}
-
 /// Writes the error in one line, for any content of the file.
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

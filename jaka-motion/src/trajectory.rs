@@ -248,7 +248,8 @@ impl Trajectory {
         if *checker == self.0.checker { Ok(()) } else { self.0.check(checker) }
     }
 
-    /// Returns the room for changes of the rate at a time.
+    /// Returns the room for changes of the rate that holds throughout between two times, or at one: at most the least
+    /// room in between, and rarely less.
     ///
     /// The rate is the trajectory's time that passes in a second: 1 as planned, 0 at a pause. At rate r that changes by
     /// r' the joints' accelerations are `a r² + v r'`, with speeds v and accelerations a of [`at`](Self::at). So a
@@ -257,13 +258,7 @@ impl Trajectory {
     ///
     /// A trajectory can leave nothing for a fall at rate 1, if it loses speed as fast as a joint can. A follower then
     /// keeps this rate until something is left: a pause or a stop along the path begins that much later.
-    pub fn rate_change(&self, time_s: f64, rate: f64) -> RateChange {
-        self.rate_change_between(time_s, time_s, rate)
-    }
-
-    /// Returns the room for changes of the rate that holds throughout between two times, as
-    /// [`rate_change`](Self::rate_change) does for one: at most the least room in between, and rarely less.
-    pub fn rate_change_between(&self, from_s: f64, to_s: f64, rate: f64) -> RateChange {
+    pub fn rate_change(&self, from_s: f64, to_s: f64, rate: f64) -> RateChange {
         // Not-a-number counts as the start.
         let (from_s, to_s) = (from_s.max(0.0), to_s.max(0.0));
         // A step of acceleration at the time itself counts with both sides.

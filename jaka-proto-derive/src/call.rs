@@ -32,15 +32,8 @@ pub(crate) fn parameter(request: &Request) -> Parameter<'_> {
     let required: Vec<_> = fields.iter().filter(|field| !field.optional).collect();
     match required.as_slice() {
         [] => Parameter::None,
-        [field] if is_argument(field) => Parameter::Value(field),
+        [field] if field.is_argument() => Parameter::Value(field),
         _ => Parameter::Request,
-    }
-}
-
-fn is_argument(field: &Field) -> bool {
-    match &field.ty {
-        Type::Scalar(Scalar::Text | Scalar::Float | Scalar::Int) | Type::Named(_) => !field.or_raw,
-        Type::Scalar(Scalar::Bool { .. } | Scalar::Json) | Type::List(_) | Type::Array(..) | Type::Python(_) => false,
     }
 }
 

@@ -40,7 +40,7 @@ pub(crate) fn modules(spec: &Spec) -> TokenStream {
 /// An `impl Client` for each topic, with a method for each of its commands.
 pub(crate) fn methods(spec: &Spec) -> TokenStream {
     let docs = Docs::new(spec, Place::Client);
-    let paths = ModulePaths { elsewhere: quote!(self), wire: quote!(::jaka_proto::wire), ..ModulePaths::default() };
+    let paths = ModulePaths { elsewhere: quote!(self), wire: quote!(::jaka_proto::wire) };
     let scope = Scope { spec, topic: None, paths: &paths, docs };
     let topics = spec.topics.iter().filter(|topic| !topic.commands.is_empty()).map(|topic| {
         let module = scope.module(topic);

@@ -2,7 +2,7 @@
 //!
 //! A new optional field adds a setter and leaves the existing functions as they are.
 
-use jaka_spec::{Choice, EnumValue, Field, Scalar, Type, TypeDef, TypeKind, is_floats, to_snake};
+use jaka_spec::{Choice, EnumValue, Field, Type, TypeKind, to_snake};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -110,7 +110,7 @@ fn function(scope: Scope<'_>, doc: &str, name: &Ident, fields: &[Field], body: &
         quote!(#name: #ty)
     });
     let many = (required.len() > MANY).then(|| quote!(#[allow(clippy::too_many_arguments)]));
-    let constant = required.iter().all(|field| !is_converted(scope, field)).then(|| quote!(const));
+    let constant = required.iter().all(|field| !scope.spec.is_converted(field)).then(|| quote!(const));
     quote! {
         #docs
         #[must_use]
@@ -135,30 +135,8 @@ fn values(scope: Scope<'_>, fields: &[Field]) -> TokenStream {
 pub(crate) fn argument(scope: Scope<'_>, field: &Field) -> (TokenStream, TokenStream) {
     let name = ident(&field.name);
     let ty = scope.required_type(field);
-    if is_converted(scope, field) {
+    if scope.spec.is_converted(field) {
         return (quote!(impl Into<#ty>), quote!(#name.into()));
     }
     (ty, quote!(#name))
-}
-
-/// True for what other types convert into: text, and what is made of an array of numbers.
-fn is_converted(scope: Scope<'_>, field: &Field) -> bool {
-    let is_converted = match &field.ty {
-        Type::Scalar(Scalar::Text) => true,
-        Type::Named(id) => converts(&scope.spec[*id]),
-        Type::Scalar(Scalar::Bool { .. } | Scalar::Int | Scalar::Float | Scalar::Json)
-        | Type::List(_)
-        | Type::Array(..)
-        | Type::Python(_) => false,
-    };
-    field.or_raw || is_converted
-}
-
-/// True for a named type that a method takes as `impl Into<…>`, since it converts from an array.
-pub(crate) fn converts(def: &TypeDef) -> bool {
-    match &def.kind {
-        TypeKind::Wrapper(..) => true,
-        TypeKind::Array { fields, .. } => is_floats(fields),
-        _ => false,
-    }
 }

@@ -18,7 +18,6 @@ mod docs;
 mod enums;
 mod error_codes;
 mod events;
-mod literal;
 mod motion;
 mod pack;
 mod role;
@@ -30,9 +29,7 @@ mod validate;
 mod word_enums;
 
 #[cfg(test)]
-mod corpora;
-#[cfg(test)]
-mod golden;
+mod tests;
 
 /// The messages of the built-in spec: a module for each topic, an enum over all requests, and the enums of their
 /// meaning.

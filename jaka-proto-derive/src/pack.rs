@@ -12,7 +12,7 @@ use syn::{LitStr, Token, parenthesized};
 use crate::client::Method;
 use crate::docs::{self, Docs, Place};
 use crate::scope::{ModulePaths, Scope, ident};
-use crate::{error_codes, events, literal, topic};
+use crate::{error_codes, events, topic};
 
 /// Input of the macro from `jaka_sync::pack!`: the path of jaka-sync, the path of the TOML file, and the paths of the
 /// packs on which it builds.
@@ -105,7 +105,6 @@ pub(crate) fn render(module: &Module, built_in: &Spec, sync: &TokenStream) -> To
     let paths = ModulePaths::new(sync.clone());
     let scope = Scope { docs, ..Scope::of_module(&module.spec, topic, &paths) };
     let items = topic::items(scope, topic, &module.spec.sent_types());
-    let literals = literal::module(&module.spec, topic, sync.clone());
     let covered = covered(module, scope);
     let status = motion_status(module, built_in, sync);
     let methods = methods(module, scope, sync);
@@ -121,7 +120,6 @@ pub(crate) fn render(module: &Module, built_in: &Spec, sync: &TokenStream) -> To
             use #sync::proto::{self as proto, check, wire};
 
             #items
-            #literals
             #covered
             #status
             #methods

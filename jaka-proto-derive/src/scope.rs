@@ -61,7 +61,7 @@ impl<'s> Scope<'s> {
     pub(crate) fn path(self, id: TypeId) -> TokenStream {
         let is_own = self.topic.is_some_and(|topic| topic.types.contains(&id));
         let topic = self.spec.topic_of(id).filter(|_| !is_own);
-        let module = topic.map_or_else(|| self.paths.own.clone(), |topic| self.module(topic));
+        let module = topic.map(|topic| self.module(topic));
         let name = ident(&self.spec[id].name);
         quote!(#module #name)
     }
@@ -81,9 +81,9 @@ impl<'s> Scope<'s> {
 
     /// The path of another topic's module.
     pub(crate) fn module(self, topic: &Topic) -> TokenStream {
-        let elsewhere = if topic.is_pack { &self.paths.packs } else { &self.paths.elsewhere };
-        let module = ident(&topic.name);
-        quote!(#elsewhere::#module::)
+        let (module, elsewhere) = (ident(&topic.name), &self.paths.elsewhere);
+        // The modules of packs stand next to each other.
+        if topic.is_pack { quote!(super::#module::) } else { quote!(#elsewhere::#module::) }
     }
 
     /// The type of a struct's field.
@@ -115,14 +115,9 @@ impl<'s> Scope<'s> {
 }
 
 /// The paths that generated code uses.
-#[derive(Default)]
 pub(crate) struct ModulePaths {
-    /// Path prefix of the topic's own types.
-    pub(crate) own: TokenStream,
     /// The path of the module that has the other topics' modules.
     pub(crate) elsewhere: TokenStream,
-    /// The path of the module that has the modules of other packs.
-    pub(crate) packs: TokenStream,
     /// The path of the module `wire`.
     pub(crate) wire: TokenStream,
 }
@@ -130,12 +125,7 @@ pub(crate) struct ModulePaths {
 impl ModulePaths {
     /// Paths for code in the module itself; `elsewhere` has the other topics' modules.
     pub(crate) fn new(elsewhere: TokenStream) -> Self {
-        Self { own: TokenStream::new(), elsewhere, packs: quote!(super), wire: quote!(wire) }
-    }
-
-    /// Paths for code in a module inside it.
-    pub(crate) fn inner(elsewhere: TokenStream) -> Self {
-        Self { own: quote!(super::), elsewhere, packs: quote!(super::super), wire: quote!(super::wire) }
+        Self { elsewhere, wire: quote!(wire) }
     }
 }
 

@@ -38,7 +38,7 @@ pub(crate) fn expand(input: &SubsetInput) -> syn::Result<TokenStream> {
     let SubsetInput { sync, head, name, .. } = input;
     let wire = quote!(#sync::proto::wire);
     let docs = Docs::new(&spec, Place::User);
-    let paths = ModulePaths { elsewhere: sync.clone(), wire: wire.clone(), ..ModulePaths::default() };
+    let paths = ModulePaths { elsewhere: sync.clone(), wire: wire.clone() };
     let scope = Scope { spec: &spec, topic: None, paths: &paths, docs };
     let copy = spec.all_copy(&fields).then(|| quote!(Copy,));
     let declared = scope.declare(&fields, &quote!(pub));

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::scope::{ModulePaths, Scope, ident};
-use crate::{command, error_codes, events, literal, typedef};
+use crate::{command, error_codes, events, typedef};
 
 /// All messages of the spec.
 pub(crate) fn messages(spec: &Spec) -> TokenStream {
@@ -30,7 +30,6 @@ pub(crate) fn module(spec: &Spec, topic: &Topic, sent: &BTreeSet<TypeId>) -> Tok
     let paths = ModulePaths::new(quote!(super));
     let scope = Scope::of_module(spec, topic, &paths);
     let (docs, items) = (scope.docs.topic(topic), items(scope, topic, sent));
-    let literals = literal::module(spec, topic, quote!(super::super));
     quote! {
         pub mod #name {
             #docs
@@ -39,7 +38,6 @@ pub(crate) fn module(spec: &Spec, topic: &Topic, sent: &BTreeSet<TypeId>) -> Tok
             use ::jaka_proto::{self as proto, check, wire};
 
             #items
-            #literals
         }
     }
 }

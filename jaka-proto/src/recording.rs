@@ -52,7 +52,7 @@ use std::time::Duration;
 use std::{fmt, str};
 
 pub use self::answers::{Answer, Answered};
-use self::line::{Line, Seconds};
+use self::line::Line;
 use crate::wire::{DecodeError, Writer};
 
 /// The version of the format that this crate writes and reads.
@@ -254,7 +254,7 @@ impl Header {
             let expected = format!("version {FORMAT} of the format");
             return Err(DecodeError::unfit(expected, &format.to_string()).in_field("jaka_recording"));
         }
-        let Seconds(started) = line.required("started")?;
+        let started = line.seconds("started")?;
         Ok(Self { started, software: line.optional("software")?.unwrap_or_default() })
     }
 
@@ -282,7 +282,7 @@ impl Entry {
     /// It is not an entry.
     pub fn read(line: &str) -> Result<Self, DecodeError> {
         let line = Line::read(line)?;
-        let Seconds(time) = line.required("time")?;
+        let time = line.seconds("time")?;
         let port = line.one_of("port", "`command` or `status`", Port::ALL, Port::word)?;
         let connection = line.optional("connection")?.unwrap_or(1);
         let connection = u32::try_from(connection)

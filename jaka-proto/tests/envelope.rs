@@ -1,7 +1,7 @@
 //! Envelope of a reply, as it is read and written.
 
 use jaka_proto::messages::io::{GetExtioStatus, GetExtioStatusReply};
-use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply, literal};
+use jaka_proto::messages::kinematics::{GetJointPos, GetJointPosReply};
 use jaka_proto::wire::Writer;
 use jaka_proto::{Command, Envelope, ErrorCode, Refusal, read_payload, read_reply, write_refusal, write_reply};
 
@@ -192,8 +192,8 @@ fn a_refusal_in_words() {
 
 #[test]
 fn replies_are_written_as_controllers_write_them() {
-    let joint_position = [1.0, 2.0, 3.0, 4.0, 5.0, 6.5].into();
-    let reply = GetJointPosReply::from(literal::GetJointPosReply { joint_position });
+    let reply = read_payload::<GetJointPosReply>(GetJointPos::INFO, r#"{"joint_pos": [1, 2, 3, 4, 5, 6.5]}"#);
+    let reply = reply.expect("it fits");
     assert_eq!(
         written(|out| write_reply(GetJointPos::INFO, &reply, out)),
         r#"{"errorCode":"0","errorMsg":"","cmdName":"get_joint_pos","joint_pos":[1,2,3,4,5,6.5]}"#

@@ -134,7 +134,7 @@ fn carry_out(
         Some(request) if !packed => request.check(AdvisoryRanges::Ignored).is_ok(),
         _ => pack::allows(&spec_index.spec, command, text),
     };
-    let typed_sample = remembered::with(spec_index, &command.wire, &entry.typed_sample, &world.state);
+    let typed_sample = remembered::with(spec_index, command, &entry.typed_sample, &world.state);
     let mut draft = Draft { sample: &typed_sample, out };
     let outcome = match request {
         _ if !is_allowed => Outcome::Refused,
@@ -146,7 +146,7 @@ fn carry_out(
         None => Outcome::Unhandled,
     };
     if outcome != Outcome::Refused {
-        remembered::note(spec_index, &command.wire, own, &mut world.state);
+        remembered::note(spec_index, command, own, &mut world.state);
     }
     match outcome {
         Outcome::Replied if *packed => {
@@ -156,7 +156,7 @@ fn carry_out(
         }
         Outcome::Replied | Outcome::Accepted => {}
         Outcome::Refused => refuse(&command.wire, &usual_refusal(&command.wire), out),
-        Outcome::Unhandled => out.raw(&remembered::with(spec_index, &command.wire, &entry.sample, &world.state)),
+        Outcome::Unhandled => out.raw(&remembered::with(spec_index, command, &entry.sample, &world.state)),
     }
     world.make_consistent();
 }

@@ -14,7 +14,6 @@ use jaka_proto::recording::Recording;
 
 use crate::clock::scaled;
 use crate::programs::{self, Program};
-use crate::replay::ReplaySource;
 use crate::{
     Contact, Delays, FaultPlan, Firmware, Habits, Happening, Replay, ReplayTiming, Scheduled, StopInServo, Trip,
     Underrun,
@@ -67,7 +66,7 @@ options! {
         folders: Vec<PathBuf> = Vec::new();
         packs: Vec<PathBuf> = Vec::new();
         programs: HashMap<String, Program> = programs::built_in();
-        replay: Option<ReplaySource> = None;
+        replay: Option<(Arc<Recording>, Replay)> = None;
     ]
 
     /// Sets the address to listen at (default: loopback). With any other address, other machines can move the simulated
@@ -296,7 +295,7 @@ impl Builder {
     /// ```
     #[must_use]
     pub fn replay(mut self, recording: Recording, mode: Replay) -> Self {
-        self.replay = Some(ReplaySource { recording: Arc::new(recording), mode });
+        self.replay = Some((Arc::new(recording), mode));
         self
     }
 

@@ -7,7 +7,7 @@ mod writing;
 use std::fmt;
 use std::time::Duration;
 
-pub(crate) use self::shape::Shape;
+pub(crate) use self::shape::{Shape, TOOL_DIGITAL};
 pub(crate) use self::values::Values;
 pub(crate) use self::writing::Writing;
 use jaka_proto::messages::status::TaskState;
@@ -84,7 +84,6 @@ firmwares! {
         newer_keys: false,
         digital: 135,
         analog: 64,
-        tool_digital: 8,
         tool_analog: &[474.0, 474.0],
         no_function_input: true,
         disabled: TaskState::Disabled,
@@ -110,7 +109,6 @@ firmwares! {
         newer_keys: true,
         digital: 199,
         analog: 128,
-        tool_digital: 8,
         tool_analog: &[466.0, 469.0],
         no_function_input: true,
         disabled: TaskState::Disabled,
@@ -133,7 +131,6 @@ firmwares! {
         newer_keys: false,
         digital: 144,
         analog: 66,
-        tool_digital: 8,
         tool_analog: &[0.0],
         no_function_input: false,
         disabled: TaskState::PoweredOn,

@@ -2,15 +2,6 @@
 
 use jaka_proto::wire::Reader;
 
-/// Separators between the parts of a JSON text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Separators {
-    /// No blanks.
-    Compact,
-    /// A blank after each comma and colon.
-    Spaced,
-}
-
 /// Returns the members of an object, with unchanged values; `None` for text other than an object.
 pub(crate) fn members(json: &str) -> Option<Vec<(String, &str)>> {
     let mut reader = Reader::new(json);
@@ -35,9 +26,9 @@ pub(crate) fn elements(json: &str) -> Option<Vec<&str>> {
     Some(elements)
 }
 
-/// Replaces the blanks between the parts of a JSON text. Strings stay as they are.
-pub(crate) fn respace(json: &str, separators: Separators) -> String {
-    let blank = if separators == Separators::Spaced { " " } else { "" };
+/// Replaces the blanks between the parts of a JSON text by `blank`, after each comma and colon. Strings stay as they
+/// are.
+pub(crate) fn respace(json: &str, blank: &str) -> String {
     let mut out = String::with_capacity(json.len() * 3 / 2);
     let mut rest = json;
     // Searches bytes for speed, since it goes through every packet; each of these characters is one byte.
@@ -80,17 +71,17 @@ mod tests {
         let compact = r#"{"a":[1,2,{}],"b, c: \" d:e":"\\","f":"x , y:z"}"#;
         let spaced = r#"{"a": [1, 2, {}], "b, c: \" d:e": "\\", "f": "x , y:z"}"#;
         for text in [json, compact, spaced] {
-            assert_eq!(respace(text, Separators::Compact), compact);
-            assert_eq!(respace(text, Separators::Spaced), spaced);
+            assert_eq!(respace(text, ""), compact);
+            assert_eq!(respace(text, " "), spaced);
         }
     }
 
     #[test]
     fn text_that_is_not_json_does_no_harm() {
         for text in ["", "\"", "\"\\", "\"\\é", "é,é", "\"é", ",", "(1, 2)", "\\\"", "\u{a0},"] {
-            respace(text, Separators::Spaced);
+            respace(text, " ");
             assert_eq!((members(text), elements(text)), (None, None), "{text}");
         }
-        assert_eq!(respace("\"a, b", Separators::Spaced), "\"a, b");
+        assert_eq!(respace("\"a, b", " "), "\"a, b");
     }
 }

@@ -57,7 +57,7 @@ pub use jaka_proto::recording::Port;
 pub use jaka_spec::Requirement;
 pub use link_selector::Direction;
 pub use replay::{Deviation, Replay, ReplayTiming};
-pub use state::{AdmittanceControl, Frame, NetworkException, State, TorqueSensor, Trajectory};
+pub use state::{AdmittanceControl, Frame, State, TorqueSensor, Trajectory};
 pub use stop_in_servo::StopInServo;
 pub use trigger::Trigger;
 pub use trips::Trip;

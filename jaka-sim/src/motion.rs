@@ -19,12 +19,12 @@ use jaka_motion::Model;
 
 use self::blend::Leaving;
 pub(crate) use self::drives::Drives;
-pub(crate) use self::jog::{Jogging, Reference, small};
+pub(crate) use self::jog::{Jogging, moved, small};
 pub(crate) use self::path::{ArmPath, Joints};
 pub(crate) use self::profile::Profile;
 use self::running::Running;
 pub(crate) use self::running::{Planned, Zone};
-pub(crate) use self::servo::{Servo, ServoOptions, SetPoint, Space, can_follow};
+pub(crate) use self::servo::{Filter, Servo, SetPoint, Space, can_follow};
 use self::vector::plus;
 use crate::clock::CYCLE;
 

@@ -49,13 +49,6 @@ pub enum ReplayTiming {
     Immediate,
 }
 
-/// Recording to replay, and the mode.
-#[derive(Debug, Clone)]
-pub(crate) struct ReplaySource {
-    pub(crate) recording: Arc<Recording>,
-    pub(crate) mode: Replay,
-}
-
 /// Running replay.
 pub(crate) struct ReplaySession {
     pub(crate) mode: Replay,
@@ -79,21 +72,20 @@ struct ReplayProgress {
 }
 
 impl ReplaySession {
-    pub(crate) fn new(plan: &ReplaySource, timing: ReplayTiming, time: &Clock) -> Self {
-        let ReplaySource { recording, mode } = plan;
+    pub(crate) fn new(recording: &Recording, mode: Replay, timing: ReplayTiming, time: &Clock) -> Self {
         let mut progress = ReplayProgress::default();
-        if *mode == Replay::Matching {
+        if mode == Replay::Matching {
             for answered in recording.answers() {
                 let same = progress.answers.entry(canonical(&answered.request.to_string())).or_default();
                 same.push_back(answered.answer);
             }
         }
         Self {
-            mode: *mode,
+            mode,
             timing,
             commands: script::scripts(recording, Port::Command),
             readers: script::scripts(recording, Port::Status),
-            dependencies: (*mode == Replay::Strict).then(|| Dependencies::new(recording, time)),
+            dependencies: (mode == Replay::Strict).then(|| Dependencies::new(recording, time)),
             progress: Mutex::new(progress),
             deviated: Signal::new(time),
         }

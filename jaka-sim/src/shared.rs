@@ -67,7 +67,10 @@ impl Shared {
             request_log: RequestLog::new(time),
             triggers: Triggers::default(),
             links,
-            replay: options.replay.as_ref().map(|source| ReplaySession::new(source, options.replay_timing, time)),
+            replay: options
+                .replay
+                .as_ref()
+                .map(|(recording, mode)| ReplaySession::new(recording, *mode, options.replay_timing, time)),
             world: Mutex::new(world),
             spec_index,
             replies: Mutex::default(),

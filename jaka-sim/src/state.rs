@@ -16,7 +16,7 @@ use jaka_proto::messages::variables::UserVariable;
 use jaka_spec::Requirement;
 use serde_json::{Map, Value};
 
-pub use parts::{AdmittanceControl, Frame, NetworkException, TorqueSensor, Trajectory};
+pub use parts::{AdmittanceControl, Frame, TorqueSensor, Trajectory};
 
 /// Number of frames of a kind in a controller: the fixed one and ten that can be set.
 pub(crate) const FRAMES: usize = 11;
@@ -119,16 +119,15 @@ pub struct State {
     /// Collision level, from 0 to 7; 0 is off. The document has levels up to 5; one client has levels up to 7 on newer
     /// firmware.
     pub collision_level: i64,
-    /// Reaction of the arm to a failure of the network, as last set.
-    pub network_exception: NetworkException,
     /// Trajectory recording.
     pub trajectory: Trajectory,
     /// Torque sensor at the end of the arm.
     pub torque_sensor: TorqueSensor,
     /// Force-compliant control.
     pub admittance: AdmittanceControl,
-    /// Reply fields set by commands, by `cmdName` of the query and then by name in Rust. Covers the queries for which
-    /// the spec, or a pack, says `remembers`.
+    /// Fields of each setting as last set, by its `cmdName` and then by name in Rust: of the spec and of packs. Queries
+    /// for which these say `remembers` return them, and some settings show nowhere else, such as the reaction to a
+    /// failure of the network.
     pub remembered: BTreeMap<String, Map<String, Value>>,
 }
 

@@ -43,7 +43,7 @@ pub(crate) fn packet(
     parts: &mut Vec<Part>,
 ) -> String {
     let shape = firmware.shape();
-    let (values, separators) = (Values::of_packets(&spec_index.spec, shape), shape.writing.separators());
+    let (values, blank) = (Values::of_packets(&spec_index.spec, shape), shape.writing.blank());
     let own = json(&values::status(state, shape, spec_index.extio_report.as_ref()));
     let own = members(&own).unwrap_or_default().into_iter().collect();
     let fields = fields(spec_index, &own);
@@ -56,13 +56,13 @@ pub(crate) fn packet(
             None => Shown::State(shown(field, &own, spec_index)),
         };
         if part.shown.as_ref() != Some(&shown) {
-            part.text = respace(&written(field, &shown, values), separators);
+            part.text = respace(&written(field, &shown, values), blank);
             part.shown = Some(shown);
         }
         tail.push_str(&part.text);
     }
     tail.push('}');
-    with_length(&respace(&format!("{{{}:", json(&length.wire)), separators), &tail)
+    with_length(&respace(&format!("{{{}:", json(&length.wire)), blank), &tail)
 }
 
 /// Returns the fields that the firmware sends, `own` by the built-in spec, and those added by packs last. Packs may

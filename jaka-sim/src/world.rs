@@ -18,7 +18,7 @@ use self::schedule::Schedule;
 use crate::clock::CYCLE;
 use crate::firmware::Writing;
 use crate::link::Links;
-use crate::motion::{ArmPath, Drives, Engine, Joints, Planned, Profile, Reference, Servo, ServoOptions, Zone};
+use crate::motion::{ArmPath, Drives, Engine, Filter, Joints, Planned, Profile, Servo, Zone};
 use crate::noise::Noise;
 use crate::programs::{Program, Runner};
 use crate::spec_index::SpecIndex;
@@ -377,9 +377,9 @@ impl World {
 
     /// Creates the servo mode with the present filter settings.
     pub(super) fn servo(&self) -> Servo {
-        let filter = &self.state.servo_filter;
-        let options = ServoOptions { filter, tool: self.tool(), underrun: self.underrun, trips: &self.trips };
-        Servo::new(self.drives.commanded, options, &self.model)
+        let at = self.drives.commanded;
+        let filter = Filter::new(&self.state.servo_filter, at, self.tool(), &self.model);
+        Servo::new(at, filter, self.underrun, self.trips.clone())
     }
 
     /// Takes the error of the motion in this cycle, as a code of the vendor's table.
@@ -506,8 +506,8 @@ impl World {
 
     /// Returns the flange displaced along the axes of the user frame.
     pub(crate) fn displaced(&self, flange: Transform, by: Pose) -> Transform {
-        let reference = Reference::Fixed { base: self.user(), tool: self.tool() };
-        reference.moved(flange, by.into())
+        let (user, tool) = (self.user(), self.tool());
+        user * (user.inverse() * flange * tool).displaced(&by.into()) * tool.inverse()
     }
 }
 

@@ -181,9 +181,10 @@ fn what_has_no_query_is_in_the_state() {
     assert!((state.rapid_rate - 0.25).abs() < f64::EPSILON);
     assert_eq!(state.digital_outputs.into_iter().map(|(output, on)| (output.1, on)).collect::<Vec<_>>(), [(2, true)]);
     assert_eq!(state.analog_outputs.into_values().collect::<Vec<_>>(), [4.32]);
-    assert_eq!((state.torque_sensor.mode, state.admittance.enabled), (1, true));
-    assert_eq!(state.admittance.velocity.level, 1);
-    assert_eq!(state.network_exception.delay_ms, 100);
+    assert!(state.admittance.enabled);
+    assert_eq!(state.remembered["set_torque_sensor_mode"]["mode"], 1);
+    assert_eq!(state.remembered["set_vel_compliant_ctrl"]["compliance"][0], 1);
+    assert_eq!(state.remembered["set_network_exception_handle"]["delay"], 100);
 }
 
 #[test]

@@ -86,7 +86,7 @@ pub use files::{LONGEST_TEXT, open_regular, read_at_most, read_file, read_text, 
 pub use keys::{COMMAND_NAME, ENVELOPE, ERROR_CODE, ERROR_MESSAGE};
 pub use model::{
     Choice, Command, Effect, EnumValue, ErrorCode, Event, EventFamily, EventTexts, Example, Field, Refusal, Reply,
-    Request, Requirement, Severity, Topic, Type, TypeDef, TypeId, TypeKind, Variant,
+    Request, Requirement, Severity, Topic, Type, TypeDef, TypeId, TypeKind, Variant, is_floats,
 };
 pub use names::{is_snake, to_camel, to_screaming, to_snake};
 pub use needed::{FieldSource, NEEDED_FIELDS, NeededField, NeededSource};
@@ -95,7 +95,7 @@ pub use range::{Advice, Condition, Range};
 pub use report::{Error, Errors};
 pub use role::{Change, JOINT_POSITION, Motion, MotionMode, POSE, PathKind, Role};
 pub use scalar::Scalar;
-pub use spec::{Shape, Spec, is_floats};
+pub use spec::{Shape, Spec};
 pub use unit::unit_factor;
 pub use version::{Version, Versions};
 

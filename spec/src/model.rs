@@ -318,6 +318,16 @@ impl Field {
     pub fn key(&self) -> String {
         key(&self.wire)
     }
+
+    /// True for a field that a command's method takes in place of the request, if no other field is required.
+    pub fn is_argument(&self) -> bool {
+        match &self.ty {
+            Type::Scalar(Scalar::Text | Scalar::Float | Scalar::Int) | Type::Named(_) => !self.or_raw,
+            Type::Scalar(Scalar::Bool { .. } | Scalar::Json) | Type::List(_) | Type::Array(..) | Type::Python(_) => {
+                false
+            }
+        }
+    }
 }
 
 /// The type of a field.
@@ -386,6 +396,17 @@ pub struct TypeDef {
     pub doc: String,
     /// Kind of the type, with its parts.
     pub kind: TypeKind,
+}
+
+impl TypeDef {
+    /// True for a type that is made from another: a wrapper, and an array of numbers.
+    pub fn converts(&self) -> bool {
+        match &self.kind {
+            TypeKind::Wrapper(..) => true,
+            TypeKind::Array { fields, .. } => is_floats(fields),
+            TypeKind::Object(_) | TypeKind::IntEnum(_) | TypeKind::TextEnum(_) | TypeKind::Choice(_) => false,
+        }
+    }
 }
 
 /// Kind of a [`TypeDef`], with its parts.
@@ -602,4 +623,9 @@ pub struct Example {
     pub request_is_ours: bool,
     /// True if values of the reply are ours.
     pub reply_is_ours: bool,
+}
+
+/// True for fields that are nothing but floats: a struct of them converts from and into an array.
+pub fn is_floats(fields: &[Field]) -> bool {
+    fields.iter().all(|field| field.ty == Type::Scalar(Scalar::Float) && !field.optional && !field.or_raw)
 }

@@ -140,7 +140,7 @@ pub(crate) fn command<'s>(item: &Item<'_, 's>, index: &mut Index<'s>) -> Command
 
 pub(crate) const OPTIONAL_ONLY: &str = "a reply that may never come can have optional fields only";
 
-pub(crate) fn requires(item: &Item<'_, '_>) -> Vec<Requirement> {
+fn requires(item: &Item<'_, '_>) -> Vec<Requirement> {
     let list = item.texts("requires");
     list.iter().filter_map(|text| word(item, "requires", text, Requirement::WORDS)).collect()
 }

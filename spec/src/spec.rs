@@ -213,6 +213,19 @@ impl Spec {
         fields.iter().all(|field| !field.or_raw && self.is_copy(&field.ty))
     }
 
+    /// True for a field that functions take as `impl Into<…>`: a text, and what other types convert into.
+    pub fn is_converted(&self, field: &Field) -> bool {
+        let is_converted = match &field.ty {
+            Type::Scalar(Scalar::Text) => true,
+            Type::Named(id) => self[*id].converts(),
+            Type::Scalar(Scalar::Bool { .. } | Scalar::Int | Scalar::Float | Scalar::Json)
+            | Type::List(_)
+            | Type::Array(..)
+            | Type::Python(_) => false,
+        };
+        field.or_raw || is_converted
+    }
+
     /// True if requests have the type, also inside other types: the client checks it, and programs make values of it.
     pub fn is_sent(&self, id: TypeId) -> bool {
         self.sent_types().contains(&id)
@@ -291,9 +304,4 @@ impl Index<TypeId> for Spec {
     fn index(&self, id: TypeId) -> &TypeDef {
         &self.types[id.0]
     }
-}
-
-/// True for fields that are nothing but floats: a struct of them converts from and into an array.
-pub fn is_floats(fields: &[Field]) -> bool {
-    fields.iter().all(|field| field.ty == Type::Scalar(Scalar::Float) && !field.optional && !field.or_raw)
 }

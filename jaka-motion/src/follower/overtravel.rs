@@ -1,6 +1,6 @@
 //! Overtravel of the tool after a contact, if the arm then brakes along a trajectory.
 
-use super::{ChangeLimits, Follower, State};
+use super::{Follower, State};
 use crate::checker::Checker;
 
 /// Overtravel of the tool after a contact on a trajectory: see [`Follower::worst_overtravel`].
@@ -35,8 +35,8 @@ const LONGEST_S: f64 = 0.5;
 const TOGETHER: usize = 16;
 /// Numbers of periods of braking, each tried for a bound.
 const AHEAD: [usize; 3] = [2, 12, 64];
-/// Relative error by which [`Trajectory::rate_change_between`](crate::Trajectory::rate_change_between) may overstate a
-/// speed or an acceleration.
+/// Relative error by which [`Trajectory::rate_change`](crate::Trajectory::rate_change) may overstate a speed or an
+/// acceleration.
 const PEAK: f64 = 1e-4;
 
 impl<'a> Travel<'a> {
@@ -94,7 +94,7 @@ impl<'a> Travel<'a> {
         AHEAD.into_iter().find_map(|ahead| {
             let (from_s, to_s) = (self.time_at(first.saturating_sub(1)), self.time_at(last + ahead + 1));
             // A joint that gains speed leaves the least room at a low rate, others at a high one.
-            let at_rate = |rate: f64| self.follower.trajectory.rate_change_between(from_s, to_s, rate).fall;
+            let at_rate = |rate: f64| self.follower.trajectory.rate_change(from_s, to_s, rate).fall;
             let fall = (at_rate(1.0 + PEAK).min(at_rate(0.0)) * (1.0 - 2.0 * PEAK) * self.follower.period_s).min(1.0);
             let falls = (1.0 / fall).floor();
             let periods = falls - 0.5 * fall * falls * (falls + 1.0);
@@ -118,7 +118,7 @@ impl<'a> Travel<'a> {
         let step = std::array::from_fn(|joint| joints.0[joint] - before.0[joint]);
         let mut braking = self.follower.clone();
         braking.state = State { time_s, rate: 1.0, change: 0.0, joints, step };
-        (braking.scale, braking.limits) = (0.0, ChangeLimits::Stop);
+        (braking.scale, braking.brakes) = (0.0, true);
         for _ in 0..=periods(LONGEST_S, self.follower.period_s) {
             if braking.is_at_rest() {
                 return Some(periods(braking.time_s(), self.follower.period_s));

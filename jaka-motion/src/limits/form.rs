@@ -1,11 +1,11 @@
 //! Limits as serde's data and as TOML, in the same tables and keys.
 
-use jaka_proto::messages::kinematics::{GetDhParamReply, literal};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::region::Shape;
 use super::{InvalidLimit, Limits, Preset, Region, RegionFrame};
+use crate::links::Links;
 use crate::model::{Model, Point};
 #[cfg(feature = "toml")]
 use crate::text_file::{FileErrors, Report};
@@ -119,17 +119,10 @@ enum OneOrSix {
 #[serde(try_from = "Vec<f64>")]
 struct Three([f64; 3]);
 
-/// Limits as far as they could be read, and what is wrong.
+/// Limits as far as they could be read, and the errors of values with their places.
 struct Reading {
     limits: Limits,
-    wrong: Vec<Wrong>,
-}
-
-/// Error of a value.
-struct Wrong {
-    #[cfg_attr(not(feature = "toml"), expect(dead_code, reason = "only a file has places"))]
-    place: Place,
-    message: String,
+    wrong: Vec<(Place, String)>,
 }
 
 /// Place of a value.
@@ -150,7 +143,7 @@ impl Serialize for Limits {
 impl<'de> Deserialize<'de> for Limits {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let Reading { limits, wrong } = Form::deserialize(deserializer)?.read();
-        wrong.into_iter().next().map_or(Ok(limits), |wrong| Err(D::Error::custom(wrong.message)))
+        wrong.into_iter().next().map_or(Ok(limits), |(_, message)| Err(D::Error::custom(message)))
     }
 }
 
@@ -175,7 +168,7 @@ pub(super) fn from_toml(text: &str, file_name: &str) -> Result<Limits, FileError
         },
         Form::read,
     );
-    for Wrong { place, message } in wrong {
+    for (place, message) in wrong {
         let value = match place {
             Place::Key(key) => file.get_ref().get(key),
             Place::KeyOf(table, key) => file.get_ref().get(table).and_then(|table| table.get_ref().get(key)),
@@ -240,7 +233,7 @@ impl Form {
             reading.wrong(Place::Key("model"), format!("there is no arm `{model}`; the arms are {}", names.join(", ")));
             return reading;
         };
-        let adapted = dh.map_or_else(|| Ok(named.clone()), |dh| named.with_dh(&dh.reply()));
+        let adapted = dh.map_or_else(|| Ok(named.clone()), |dh| named.with_links(dh.links()));
         let adapted = adapted.map_err(|error| reading.wrong(Place::Key("dh"), error.to_string()));
         reading.limits = Limits::of(&adapted.unwrap_or_else(|()| named.clone()));
         reading.apply(Place::Key("preset"), preset, |limits, preset| Ok(limits.with_preset(preset)));
@@ -282,7 +275,7 @@ type WithSix = fn(Limits, [f64; 6]) -> Result<Limits, InvalidLimit>;
 
 impl Reading {
     fn wrong(&mut self, place: Place, message: String) {
-        self.wrong.push(Wrong { place, message });
+        self.wrong.push((place, message));
     }
 
     /// Changes limits by a value that is given.
@@ -341,9 +334,9 @@ impl From<&Model> for Dh {
 }
 
 impl Dh {
-    fn reply(&self) -> GetDhParamReply {
+    fn links(&self) -> Links {
         let Self { alpha_deg: alpha, a_mm: a, d_mm: d, joint_home_offset_deg: joint_home_offset } = *self;
-        literal::GetDhParamReply { alpha, a, d, joint_home_offset }.into()
+        Links { alpha, a, d, joint_home_offset }
     }
 }
 

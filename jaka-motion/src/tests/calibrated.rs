@@ -1,17 +1,15 @@
 //! Parameters of a controller in place of the published ones.
 
-use jaka_proto::messages::kinematics::{GetDhParamReply, literal};
+use jaka_proto::messages::kinematics::GetDhParamReply;
+use jaka_proto::wire::{Fields, Reader};
 
 use super::{Random, assert_close};
 use crate::Model;
 
-fn reply(model: &Model) -> GetDhParamReply {
-    GetDhParamReply::from(literal::GetDhParamReply {
-        alpha: *model.alpha(),
-        a: *model.a(),
-        d: *model.d(),
-        joint_home_offset: *model.joint_home_offset(),
-    })
+pub(super) fn reply(model: &Model) -> GetDhParamReply {
+    let (alpha, a, d, home) = (model.alpha(), model.a(), model.d(), model.joint_home_offset());
+    let json = format!(r#"{{"alpha":{alpha:?},"a":{a:?},"d":{d:?},"joint_homeoff":{home:?}}}"#);
+    GetDhParamReply::read_fields(&mut Reader::new(&json)).expect("it is a reply")
 }
 
 fn shifted(numbers: [f64; 6], random: &mut Random, most: f64) -> [f64; 6] {

@@ -1,6 +1,5 @@
 //! Conventions compared with the vendor's own figures, and poses converted in both directions.
 
-use jaka_proto::messages::kinematics::{GetDhParamReply, literal};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::{Random, apart, assert_close, from_pose, to_pose};
@@ -147,12 +146,7 @@ fn the_newer_controller_has_a_minicobo() {
 #[test]
 fn the_lengths_of_the_newer_controllers_arm_are_calibrated() {
     let published = Model::named("MiniCobo").expect("published");
-    let mut dh = GetDhParamReply::from(literal::GetDhParamReply {
-        alpha: *published.alpha(),
-        a: *published.a(),
-        d: *published.d(),
-        joint_home_offset: *published.joint_home_offset(),
-    });
+    let mut dh = super::calibrated::reply(published);
     (dh.a[2], dh.d[0], dh.d[3], dh.d[5]) = (210.360_844, 186.202_853, 210.987_879, 159.898_996);
     let (arm, tool) = (published.with_dh(&dh).expect("near"), from_pose([0.0, 0.0, 0.0, 180.0, 0.0, 0.0]));
     for (joints, pose) in CAPTURED_NEWER {

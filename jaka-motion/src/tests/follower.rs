@@ -77,7 +77,7 @@ fn the_rate_changes_smoothly_to_what_is_asked_for() {
     let mut follower = follower();
     (0..125).for_each(|_| _ = follower.advance());
     follower.set_scale(0.0);
-    let expected = follower.periods_to_rest(1000).expect("there is room");
+    let expected = follower.stopping().look_ahead(1000).expect("there is room");
     let mut rates = vec![1.0, 1.0];
     while !follower.is_at_rest() {
         follower.advance();
@@ -145,6 +145,7 @@ fn a_stop_is_looked_at_bit_by_bit() {
         };
         assert!(looks > 1 && found > 7 * looks && found <= 7 * (looks + 1));
         assert_eq!(stopping.look_ahead(7), Some(found));
-        assert_eq!((follower.periods_to_rest(found), follower.periods_to_rest(found - 1)), (Some(found), None));
+        let within = |most: u32| follower.stopping().look_ahead(most);
+        assert_eq!((within(found), within(found - 1)), (Some(found), None));
     }
 }

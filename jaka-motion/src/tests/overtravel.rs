@@ -110,9 +110,9 @@ fn braking_keeps_to_the_accelerations_and_is_sooner_than_a_smooth_stop() {
         }
         let mut braked = smooth.clone();
         braked.brake();
-        let periods = braked.periods_to_rest(1000).expect("it comes to rest");
+        let periods = braked.stopping().look_ahead(1000).expect("it comes to rest");
         smooth.set_scale(0.0);
-        assert!(Some(periods) < smooth.periods_to_rest(1000), "after {after}: {periods}");
+        assert!(Some(periods) < smooth.stopping().look_ahead(1000), "after {after}: {periods}");
         for _ in 0..periods {
             set_points.push(braked.advance().0);
         }

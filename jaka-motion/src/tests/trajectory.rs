@@ -109,7 +109,7 @@ fn a_rate_that_changes_so_stays_within_the_accelerations() {
         let (_, trajectory) = slow_enough(&some_points(&mut random, 5), &checker);
         for _ in 0..100 {
             let (time_s, rate) = (random.between(0.0, trajectory.duration_s()), random.between(0.0, 1.0));
-            let change = trajectory.rate_change(time_s, rate);
+            let change = trajectory.rate_change(time_s, time_s, rate);
             let here = trajectory.at(time_s);
             let needed = |change: f64| {
                 let used =
@@ -120,9 +120,9 @@ fn a_rate_that_changes_so_stays_within_the_accelerations() {
                 assert!(most >= 0.0 && (needed(sign * most) - 1.0).abs() < 1e-3, "{}", needed(sign * most));
                 assert!((0..=10).all(|part| needed(sign * most * f64::from(part) / 10.0) < 1.0 + 1e-3));
             }
-            let while_passing = trajectory.rate_change_between(time_s - 0.01, time_s + 0.01, rate);
+            let while_passing = trajectory.rate_change(time_s - 0.01, time_s + 0.01, rate);
             for later in [-0.01, -0.003, 0.0, 0.006, 0.01] {
-                let then = trajectory.rate_change(time_s + later, rate);
+                let then = trajectory.rate_change(time_s + later, time_s + later, rate);
                 assert!(while_passing.fall <= then.fall * (1.0 + 1e-3));
                 assert!(while_passing.rise <= then.rise * (1.0 + 1e-3));
             }

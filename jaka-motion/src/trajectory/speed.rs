@@ -104,12 +104,6 @@ struct Stretch {
     jerk: f64,
 }
 
-/// Result of a step: the share of it that the bounds allowed, and the remaining gain.
-struct Progress {
-    share: f64,
-    gap: f64,
-}
-
 /// Greatest number of iterations in a window; some 15 suffice.
 const ITERATIONS: usize = 60;
 /// Remaining gain, as a share of the duration, at which the iteration ends.
@@ -392,7 +386,7 @@ impl<'p> Problem<'p> {
         self.centre(&window, &mut rows, centre);
         for _ in 0..ITERATIONS {
             let step = self.step(&window, &rows, centre);
-            let Progress { share, gap } = self.take(&window, &mut rows, &step, centre);
+            let (share, gap) = self.take(&window, &mut rows, &step, centre);
             if !gap.is_finite() {
                 return None;
             }
@@ -529,8 +523,9 @@ impl<'p> Problem<'p> {
         newton
     }
 
-    /// Takes as much of a step as the bounds allow, and as much of the step of the multipliers.
-    fn take(&mut self, window: &Range<usize>, rows: &mut [Row], newton: &Newton, centre: f64) -> Progress {
+    /// Takes as much of a step as the bounds allow, and as much of the step of the multipliers. Returns the share of it
+    /// that the bounds allowed, and the remaining gain.
+    fn take(&mut self, window: &Range<usize>, rows: &mut [Row], newton: &Newton, centre: f64) -> (f64, f64) {
         let Newton { first, gradient: step, .. } = newton;
         // Largest shares of the room and of a multiplier that a whole step takes.
         let (mut part, mut dual_part) = (FAR, FAR);
@@ -585,7 +580,7 @@ impl<'p> Problem<'p> {
                 near_centre(self.floors[index] + dual_share * change, centre / self.coefficients[index]);
             gap += self.coefficients[index] * self.floors[index];
         }
-        Progress { share: share.min(dual_share), gap }
+        (share.min(dual_share), gap)
     }
 }
 

@@ -26,10 +26,14 @@ impl<'l> Line<'l> {
         Ok(Self(values))
     }
 
-    /// The value of a key. A null counts as absent.
+    /// The text of a key's value. A null counts as absent.
+    fn value(&self, key: &str) -> Option<&'l str> {
+        self.0.get(key).copied().filter(|value| *value != "null")
+    }
+
+    /// The value of a key.
     pub(super) fn optional<T: Decode>(&self, key: &'static str) -> Result<Option<T>, DecodeError> {
-        let value = self.0.get(key).filter(|value| **value != "null");
-        value.map(|value| T::decode(&mut Reader::new(value)).map_err(|error| error.in_field(key))).transpose()
+        self.value(key).map(|value| T::decode(&mut Reader::new(value)).map_err(|error| error.in_field(key))).transpose()
     }
 
     /// The value of a key that must be there.
@@ -66,59 +70,45 @@ impl<'l> Line<'l> {
                 let step = self.one_of("step", expected, MotionStep::ALL, MotionStep::word)?;
                 Ok(Event::Motion { step, text: self.required("text")? })
             }
-            "dropped" => self.required("count").map(|Count(count)| Event::Dropped { count }),
+            "dropped" => self.count().map(|count| Event::Dropped { count }),
             other => Err(DecodeError::unfit("an event of the format", other).in_field("event")),
         }
     }
 
     fn message(&self) -> Result<Message, DecodeError> {
-        match (self.optional::<String>("text")?, self.optional("hex")?) {
+        match (self.optional::<String>("text")?, self.optional::<String>("hex")?) {
             (Some(text), _) => Ok(Message::new(text)),
-            (None, Some(Hex(bytes))) => Ok(Message::new(bytes)),
+            (None, Some(hex)) => {
+                let unfit = || DecodeError::unfit("two hexadecimal digits for each byte", &hex).in_field("hex");
+                bytes(&hex).map(Message::new).ok_or_else(unfit)
+            }
             (None, None) => Err(DecodeError::missing("text", "text")),
         }
     }
-}
 
-/// A time in seconds, to the microsecond.
-#[derive(Debug)]
-pub(super) struct Seconds(pub(super) Duration);
-
-impl Decode for Seconds {
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let seconds = f64::decode(reader)?;
-        let time = Duration::try_from_secs_f64(seconds)
-            .map_err(|_| DecodeError::unfit("a time in seconds", &seconds.to_string()))?;
+    /// A time in seconds, to the microsecond.
+    pub(super) fn seconds(&self, key: &'static str) -> Result<Duration, DecodeError> {
+        let seconds: f64 = self.required(key)?;
+        let unfit = || DecodeError::unfit("a time in seconds", &seconds.to_string()).in_field(key);
+        let time = Duration::try_from_secs_f64(seconds).map_err(|_| unfit())?;
         let microseconds = time.subsec_nanos().saturating_add(500) / 1000;
         let whole = Duration::from_secs(time.as_secs()).checked_add(Duration::from_micros(microseconds.into()));
-        whole.map(Self).ok_or_else(|| DecodeError::unfit("a time in seconds", &seconds.to_string()))
+        whole.ok_or_else(unfit)
+    }
+
+    /// A count, also one beyond what a whole number of the wire holds.
+    fn count(&self) -> Result<u64, DecodeError> {
+        let found = self.value("count").ok_or_else(|| DecodeError::missing("count", "count"))?;
+        found.parse().map_err(|_| DecodeError::unfit("a count", found).in_field("count"))
     }
 }
 
-/// A count, also one beyond what a whole number of the wire holds.
-#[derive(Debug)]
-struct Count(u64);
-
-impl Decode for Count {
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let raw = reader.raw()?;
-        raw.parse().map(Self).map_err(|_| DecodeError::unfit("a count", raw))
-    }
-}
-
-/// Bytes, as two digits each.
-#[derive(Debug)]
-struct Hex(Vec<u8>);
-
-impl Decode for Hex {
-    fn decode(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let text = reader.text()?;
-        let digit = |digit: u8| char::from(digit).to_digit(16).and_then(|digit| u8::try_from(digit).ok());
-        let byte = |pair: &[u8]| match *pair {
-            [high, low] => Some(digit(high)? << 4 | digit(low)?),
-            _ => None,
-        };
-        let bytes: Option<_> = text.as_bytes().chunks(2).map(byte).collect();
-        bytes.map(Self).ok_or_else(|| DecodeError::unfit("two hexadecimal digits for each byte", &text))
-    }
+/// The bytes that two hexadecimal digits each stand for.
+fn bytes(text: &str) -> Option<Vec<u8>> {
+    let digit = |digit: u8| char::from(digit).to_digit(16).and_then(|digit| u8::try_from(digit).ok());
+    let byte = |pair: &[u8]| match *pair {
+        [high, low] => Some(digit(high)? << 4 | digit(low)?),
+        _ => None,
+    };
+    text.as_bytes().chunks(2).map(byte).collect()
 }

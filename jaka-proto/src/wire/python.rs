@@ -148,18 +148,6 @@ pub struct PythonError {
     expected: &'static str,
 }
 
-impl PythonError {
-    /// Position of the error, as an offset in bytes.
-    pub fn position(&self) -> usize {
-        self.position
-    }
-
-    /// Syntax that was expected there, such as `a value`.
-    pub fn expected(&self) -> &'static str {
-        self.expected
-    }
-}
-
 impl fmt::Display for PythonError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "python literal: expected {} at byte {}", self.expected, self.position)
@@ -179,12 +167,6 @@ struct Transcoder<'a> {
     out: String,
 }
 
-/// Numbers of items and of commas between two brackets.
-struct Items {
-    count: usize,
-    commas: usize,
-}
-
 impl<'a> Transcoder<'a> {
     fn value(&mut self) -> Step {
         match self.token() {
@@ -201,8 +183,7 @@ impl<'a> Transcoder<'a> {
     fn tuple(&mut self) -> Step {
         let begin = self.out.len();
         self.out.push('[');
-        let items = self.items(b')', Self::value)?;
-        if items.count == 1 && items.commas == 0 {
+        if self.items(b')', Self::value)? == (1, 0) {
             self.out.remove(begin);
         } else {
             self.out.push(']');
@@ -277,28 +258,29 @@ impl<'a> Transcoder<'a> {
     }
 
     /// Reads an opening bracket and what follows, up to and with `close`; writes only the items and commas.
-    fn items(&mut self, close: u8, item: fn(&mut Self) -> Step) -> Result<Items, PythonError> {
+    /// Returns the numbers of items and of commas.
+    fn items(&mut self, close: u8, item: fn(&mut Self) -> Step) -> Result<(usize, usize), PythonError> {
         if self.depth >= MAX_DEPTH {
             return Err(self.expected("no more than 64 open brackets"));
         }
         self.depth += 1;
         self.at += 1;
-        let mut items = Items { count: 0, commas: 0 };
+        let (mut count, mut commas) = (0, 0);
         while self.token() != Some(close) {
-            if items.commas < items.count {
+            if commas < count {
                 return Err(self.expected(comma_or(close)));
             }
-            if items.count > 0 {
+            if count > 0 {
                 self.out.push(',');
             }
             item(self)?;
-            items.count += 1;
+            count += 1;
             self.token();
-            items.commas += usize::from(self.eat(b','));
+            commas += usize::from(self.eat(b','));
         }
         self.at += 1;
         self.depth -= 1;
-        Ok(items)
+        Ok((count, commas))
     }
 
     /// Reads a word and writes that of JSON.

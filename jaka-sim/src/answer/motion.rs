@@ -1,10 +1,9 @@
 //! Jogs.
 
-use jaka_motion::Transform;
 use jaka_proto::messages::motion::{Jog, JogFrame};
 use jaka_proto::messages::types::Pose;
 
-use crate::motion::{ArmPath, Jogging, Planned, Reference, small};
+use crate::motion::{ArmPath, Jogging, Planned, moved, small};
 use crate::world::World;
 
 /// Acceleration of a jog, in deg/s² and mm/s². The value of real controllers is unknown.
@@ -35,20 +34,14 @@ pub(super) fn start_jog(jog: &Jog, world: &mut World) -> bool {
 }
 
 fn stop_jog(world: &mut World, axis: i64) {
-    let jogged = world.engine.jog.is_none_or(|jog| i64::try_from(jog.index()) == Ok(axis));
+    let jogged = world.engine.jog.is_none_or(|jog| i64::try_from(jog.index) == Ok(axis));
     if jogged {
         world.stop();
     }
 }
 
 fn jogging(world: &World, frame: JogFrame, axis: i64, velocity: f64) -> Option<Jogging> {
-    let index = index(axis)?;
-    let tool = world.tool();
-    Some(match frame {
-        JogFrame::Joint => Jogging::Joint { index, velocity },
-        JogFrame::Tool => Jogging::Axis { index, velocity, reference: Reference::Tool { tool } },
-        _ => Jogging::Axis { index, velocity, reference: Reference::Fixed { base: Transform::identity(), tool } },
-    })
+    Some(Jogging { frame, index: index(axis)?, velocity, tool: world.tool() })
 }
 
 /// Plans a jog that ends by itself; `to` maps the axis' present value to its target.
@@ -69,15 +62,11 @@ fn index(axis: i64) -> Option<usize> {
 fn jog_line(world: &World, frame: JogFrame, index: usize, speed: f64, to: impl Fn(f64) -> f64) -> Option<Planned> {
     let tool = world.tool();
     let flange = world.model.forward(world.tail());
-    let reference = match frame {
-        JogFrame::Tool => Reference::Tool { tool },
-        _ => Reference::Fixed { base: Transform::identity(), tool },
-    };
     // In the tool frame, the tool's pose is zero.
     let now = match frame {
         JogFrame::Tool => 0.0,
         _ => <[f64; 6]>::from(Pose::from(flange * tool))[index],
     };
-    let end = reference.moved(flange, small(index, to(now) - now));
+    let end = moved(frame, flange, tool, small(index, to(now) - now));
     world.plan(ArmPath::Line { from: flange * tool, to: end * tool, tool }, speed, JOG_ACCELERATION)
 }

@@ -8,7 +8,7 @@ use jaka_proto::wire::Typed;
 
 use super::{Draft, Outcome, is_on, motion, reply, servo, trajectory};
 use crate::motion::can_follow;
-use crate::state::{FRAMES, Frame, NetworkException};
+use crate::state::{FRAMES, Frame};
 use crate::world::{Change, World};
 
 /// Limit of output indices, so that clients cannot grow the state without bound.
@@ -252,12 +252,9 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
             state.admittance.compliance_type = command.compliance_type;
             set(&mut state.admittance.sensor_compensation, is_on(command.sensor_compensation))
         }
-        Request::SetComplianceCondition(command) => set(&mut state.admittance.condition, command.condition),
-        Request::SetVelCompliantCtrl(command) => set(&mut state.admittance.velocity, command.compliance),
 
         // Torque sensor and its payload.
         Request::StartTorqSensorPayloadIdentify(command) => identify(command.joint_position, world),
-        Request::SetTorqueSensorMode(command) => set(&mut state.torque_sensor.mode, command.mode),
         Request::SetTorqueSensorComm(command) => {
             let sensor = &mut state.torque_sensor;
             sensor.address.clone_from(&command.address);
@@ -280,12 +277,6 @@ pub(super) fn answer(request: &Request, world: &mut World, out: &mut Draft<'_>) 
         }
         Request::GetTorqSensorPayloadIdentifyResult(command) => {
             reply(command, out, |reply| *reply = state.torque_sensor.identified)
-        }
-
-        // Lost network.
-        Request::SetNetworkExceptionHandle(command) => {
-            let exception = NetworkException { delay_ms: command.delay, action: command.action };
-            set(&mut state.network_exception, exception)
         }
         _ => Outcome::Unhandled,
     }

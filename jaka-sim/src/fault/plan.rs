@@ -44,17 +44,11 @@ use super::{Fault, SplitMix64, StatusFault};
 pub struct FaultPlan {
     pub(crate) script: VecDeque<Fault>,
     pub(crate) commands: Vec<(String, Fault)>,
-    pub(super) chances: Vec<Chance>,
+    /// Faults of one in so many replies.
+    pub(super) chances: Vec<(u64, Vec<Fault>)>,
     pub(super) always: Option<Fault>,
     pub(crate) status: StatusFault,
     pub(super) generator: Option<SplitMix64>,
-}
-
-/// Faults of one in this many replies.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Chance {
-    pub(super) one_in: u64,
-    pub(super) faults: Vec<Fault>,
 }
 
 impl FaultPlan {
@@ -95,7 +89,7 @@ impl FaultPlan {
     #[must_use]
     pub fn one_in(mut self, replies: u64, faults: impl IntoIterator<Item = Fault>) -> Self {
         self.generator.get_or_insert_with(|| SplitMix64::new(0));
-        self.chances.push(Chance { one_in: replies, faults: faults.into_iter().collect() });
+        self.chances.push((replies, faults.into_iter().collect()));
         self
     }
 
@@ -135,8 +129,8 @@ impl FaultPlan {
 
     fn draw(&mut self) -> Option<Fault> {
         let generator = self.generator.as_mut()?;
-        let chance = self.chances.iter().find(|chance| generator.one_in(chance.one_in))?;
-        generator.pick(&chance.faults).cloned()
+        let (_, faults) = self.chances.iter().find(|(replies, _)| generator.one_in(*replies))?;
+        generator.pick(faults).cloned()
     }
 }
 

@@ -73,9 +73,9 @@ impl fmt::Display for FaultPlan {
         for (command, fault) in &self.commands {
             lines.push(format!("for {}: {fault}", Name(command)));
         }
-        for chance in &self.chances {
+        for (replies, faults) in &self.chances {
             let seed = self.generator.as_ref().map_or(0, |generator| generator.seed);
-            lines.push(format!("random {seed} 1/{} {}", chance.one_in, list(&chance.faults)));
+            lines.push(format!("random {seed} 1/{replies} {}", list(faults)));
         }
         lines.extend(self.always.iter().map(|fault| format!("always {fault}")));
         if self.status != StatusFault::None {

@@ -8,6 +8,9 @@ use jaka_proto::messages::status::TaskState;
 use super::{Firmware, Writing};
 use crate::{Habit, State};
 
+/// Number of digital inputs of the tool, and of its digital outputs.
+pub(crate) const TOOL_DIGITAL: usize = 8;
+
 /// Form of a firmware's messages, and its behaviour: one row of the table of [`Firmware`].
 #[derive(Debug)]
 pub(crate) struct Shape {
@@ -25,8 +28,6 @@ pub(crate) struct Shape {
     pub(crate) digital: usize,
     /// Number of analog inputs, and of analog outputs.
     pub(crate) analog: usize,
-    /// Number of digital inputs of the tool, and of its digital outputs.
-    pub(crate) tool_digital: usize,
     /// Initial values of the analog inputs of the tool.
     pub(crate) tool_analog: &'static [f64],
     /// Whether no function has an input initially.
@@ -56,7 +57,7 @@ impl Firmware {
         shape.version.clone_into(&mut state.version);
         state.digital_inputs.resize(shape.digital, false);
         state.analog_inputs.resize(shape.analog, 0.0);
-        state.tool_digital_inputs.resize(shape.tool_digital, false);
+        state.tool_digital_inputs.resize(TOOL_DIGITAL, false);
         state.tool_analog_inputs = shape.tool_analog.to_vec();
         if shape.no_function_input {
             for input in &mut state.function_inputs {

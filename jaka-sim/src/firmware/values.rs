@@ -59,7 +59,7 @@ impl<'s> Values<'s> {
             }
             rewritten.push(out.into_string());
         }
-        Some(respace(&format!("{{{}}}", rewritten.join(",")), self.writing.separators()))
+        Some(respace(&format!("{{{}}}", rewritten.join(",")), self.writing.blank()))
     }
 
     /// Writes the value of a field, given as JSON.

@@ -4,7 +4,6 @@ use jaka_proto::ControllerEvent;
 use jaka_proto::wire::Value;
 
 use crate::State;
-use crate::json_text::Separators;
 
 /// Form in which a firmware writes messages on both ports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,9 +18,9 @@ pub(crate) enum Writing {
 }
 
 impl Writing {
-    /// Returns the separators between the parts.
-    pub(crate) fn separators(self) -> Separators {
-        if self == Self::Document { Separators::Compact } else { Separators::Spaced }
+    /// Returns what stands after each comma and colon.
+    pub(crate) fn blank(self) -> &'static str {
+        if self == Self::Document { "" } else { " " }
     }
 
     /// Returns the controller's event in the reply to `get_robot_state`; `None` if the reply has none.

@@ -7,11 +7,9 @@ mod tracker;
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use jaka_motion::{Model, Transform};
-use jaka_proto::messages::servo::SetServoMoveFilter;
+use jaka_motion::Model;
 
-use self::filter::Filter;
-pub(crate) use self::filter::can_follow;
+pub(crate) use self::filter::{Filter, can_follow};
 use super::path::Joints;
 use crate::clock::CYCLE;
 use crate::trips::{self, Observed, Trip};
@@ -78,27 +76,18 @@ pub(crate) struct SetPoint {
     pub(crate) time: Duration,
 }
 
-/// Options of servo mode.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct ServoOptions<'a> {
-    pub(crate) filter: &'a SetServoMoveFilter,
-    pub(crate) tool: Transform,
-    pub(crate) underrun: Underrun,
-    pub(crate) trips: &'a [Trip],
-}
-
 impl Servo {
     /// Creates the servo mode of an arm at rest.
-    pub(crate) fn new(at: Joints, options: ServoOptions<'_>, model: &Model) -> Self {
+    pub(crate) fn new(at: Joints, filter: Filter, underrun: Underrun, trips: Vec<Trip>) -> Self {
         Self {
             waiting: VecDeque::new(),
             left: 0,
             reference: ServoReference { joints: at, speed: [0.0; 6], space: Space::Joints },
-            filter: Filter::new(options.filter, at, options.tool, model),
+            filter,
             commanded: at,
-            underrun: options.underrun,
+            underrun,
             dry: Duration::ZERO,
-            trips: options.trips.to_vec(),
+            trips,
             last: Duration::ZERO,
             error: None,
         }

@@ -6,11 +6,11 @@ use std::{array, io};
 use jaka_motion::Model;
 use jaka_proto::messages::types::Pose;
 use jaka_proto::messages::{
-    collision, force, frames, io as pins, kinematics, network, payload, power, program, servo, trajectory, variables,
+    collision, force, frames, io as pins, kinematics, payload, power, program, servo, trajectory, variables,
 };
 use jaka_proto::wire::Typed;
 
-use super::{AdmittanceControl, FRAMES, Frame, NO_ERROR, NetworkException, State, TorqueSensor, Trajectory};
+use super::{AdmittanceControl, FRAMES, Frame, NO_ERROR, State, TorqueSensor, Trajectory};
 use crate::spec_index::SpecIndex;
 
 /// Initial joint positions: the arm is bent, its flange points down, and no joint is near its end.
@@ -63,7 +63,6 @@ impl State {
             variables: spec_index.example::<variables::QueryUserDefinedVariable>()?.variables,
             payload: spec_index.example::<payload::GetPayload>()?,
             collision_level: spec_index.example::<collision::GetClsnSensitivity>()?.level,
-            network_exception: NetworkException { delay_ms: 0, action: network::NetworkExceptionAction::Keep },
             trajectory: trajectory(spec_index)?,
             torque_sensor: torque_sensor(spec_index)?,
             admittance: admittance(spec_index)?,
@@ -92,7 +91,6 @@ fn trajectory(spec_index: &SpecIndex) -> io::Result<Trajectory> {
 fn torque_sensor(spec_index: &SpecIndex) -> io::Result<TorqueSensor> {
     let comm = spec_index.example::<force::GetTorqueSensorComm>()?;
     Ok(TorqueSensor {
-        mode: 0,
         working: false,
         contact_force: [0.0; 6],
         communication: comm.communication,
@@ -115,8 +113,6 @@ fn admittance(spec_index: &SpecIndex) -> io::Result<AdmittanceControl> {
         axes: axes.try_into().map_err(|_| io::Error::other("the spec's admittance control does not have six axes"))?,
         compliance_type: kind.compliance_type,
         sensor_compensation: kind.sensor_compensation,
-        condition: [0.0; 6],
-        velocity: force::VelocityCompliance::new(0, 0.0, 0.0, 0.0, 0.0),
     })
 }
 

@@ -2,9 +2,8 @@
 
 use jaka_proto::messages::force::{
     AdmittanceAxis, ComplianceType, GetToolPayloadReply, GetTorqSensorPayloadIdentifyResultReply, IdentifyStatus,
-    TorqueSensorCommunication, VelocityCompliance,
+    TorqueSensorCommunication,
 };
-use jaka_proto::messages::network::NetworkExceptionAction;
 use jaka_proto::messages::types::Pose;
 
 /// Tool frame or user frame.
@@ -14,15 +13,6 @@ pub struct Frame {
     pub offset: Pose,
     /// Name of the frame.
     pub name: String,
-}
-
-/// Reaction of the arm to a failure of the network.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct NetworkException {
-    /// Time from the failure to the reaction, in milliseconds.
-    pub delay_ms: i64,
-    /// Action of the arm.
-    pub action: NetworkExceptionAction,
 }
 
 /// Trajectory recording.
@@ -39,8 +29,6 @@ pub struct Trajectory {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct TorqueSensor {
-    /// Raw switch of the sensor, 0 or 1. Sources contradict each other on the value for on.
-    pub mode: i64,
     /// Whether the sensor works. No command sets it, since sources contradict each other on the mode that is on.
     pub working: bool,
     /// Contact force of a working sensor, as in packets: along the axes of the tool frame in use, in N and Nm. The
@@ -73,8 +61,4 @@ pub struct AdmittanceControl {
     pub compliance_type: ComplianceType,
     /// Whether sensor compensation is on.
     pub sensor_compensation: bool,
-    /// Forces and torques of the condition for compliant control, as last set.
-    pub condition: [f64; 6],
-    /// Parameters of compliance in velocity, as last set.
-    pub velocity: VelocityCompliance,
 }

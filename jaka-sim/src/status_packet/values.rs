@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use super::extio;
 use crate::State;
-use crate::firmware::Shape;
+use crate::firmware::{Shape, TOOL_DIGITAL};
 use crate::state::TorqueSensor;
 
 /// Number of serial signals at the tool (up to eight), none of which is set.
@@ -84,7 +84,7 @@ fn inputs_and_outputs(state: &State, shape: &Shape, status: &mut RobotStatus) {
     status.analog_inputs = Some(state.analog_inputs.clone());
     status.analog_outputs = Some(analog_outputs(state, AnalogOutputKind::Cabinet, shape.analog));
     status.tool_digital_inputs = Some(state.tool_digital_inputs.clone());
-    status.tool_digital_outputs = Some(digital_outputs(state, DigitalOutputKind::Tool, shape.tool_digital));
+    status.tool_digital_outputs = Some(digital_outputs(state, DigitalOutputKind::Tool, TOOL_DIGITAL));
     status.tool_analog_inputs = Some(state.tool_analog_inputs.clone());
     let functions = state.function_inputs.iter().map(|input| json!([i64::from(input.kind), input.index]));
     let unassigned = FUNCTIONS.saturating_sub(state.function_inputs.len());

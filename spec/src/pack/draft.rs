@@ -358,10 +358,6 @@ impl<'s> Draft<'s, '_> {
     fn change_command(&mut self, item: &Item<'_, 's>, wire: &str) {
         let Some(command) = command_mut(&mut self.spec.topics, wire) else { return };
         let before = command.clone();
-        if item.has("requires") {
-            command.requires = read::requires(item);
-            command.requires_source = item.text("requires_source").map(|text| text.value);
-        }
         command.deadline = read::deadline(item).or(command.deadline);
         command.versions = read::versions(item, &before.versions);
         if item.is_text("motion") {

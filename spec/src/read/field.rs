@@ -138,7 +138,7 @@ pub(crate) fn changed_field<'s>(item: &Item<'_, 's>, base: &Field, taken: &[&str
         doc: if item.has("doc") { required_doc(item) } else { base.doc.clone() },
         disputed: base.disputed.clone(),
         versions: versions(item, &base.versions),
-        evidence: if item.has("evidence") { evidence::read(item) } else { base.evidence.clone() },
+        evidence: base.evidence.clone(),
     };
     settle(item, &mut field, base);
     check_field(item, &field);

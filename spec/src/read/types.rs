@@ -107,7 +107,7 @@ pub(crate) fn changed_value<T: Clone>(item: &Item<'_, '_>, base: &EnumValue<T>) 
         doc: if item.has("doc") { required_doc(item) } else { base.doc.clone() },
         advisory: item.flag("advisory").map_or(base.advisory, |flag| flag.value),
         versions: versions(item, &base.versions),
-        evidence: if item.has("evidence") { evidence::read(item) } else { base.evidence.clone() },
+        evidence: base.evidence.clone(),
     };
     item.finish();
     value

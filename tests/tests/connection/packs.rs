@@ -31,13 +31,8 @@ fn commands_of_a_pack_are_called_and_answered() {
     let arm = arm();
     let mut robot = arm.client();
     let state = robot.demo_motion_state().expect("the pack's example is the answer");
-    let expected = newer::DemoMotionStateReply::from(newer::literal::DemoMotionStateReply {
-        in_position: true,
-        paused: false,
-        queue: 3,
-        active_queue: 1,
-    });
-    assert_eq!(state, expected);
+    let newer::DemoMotionStateReply { in_position, paused, queue, active_queue, .. } = state;
+    assert_eq!((in_position, paused, queue, active_queue), (true, false, 3, 1));
     assert_eq!(queued(&mut robot).expect("the same"), 3);
     assert!(!is_stopped(&mut robot).expect("without an example, the answer is no"));
     robot.set_demo_period(20).expect("the simulator accepts it");

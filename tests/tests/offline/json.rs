@@ -5,7 +5,8 @@ use jaka_motion::{
     Checker, Exceeded, Frames, JointSpeed, Limits, Model, Point, Preset, Region, RegionFrame, TimedPoint, Trajectory,
     Via,
 };
-use jaka_proto::messages::kinematics::{GetDhParamReply, literal};
+use jaka_proto::messages::kinematics::GetDhParamReply;
+use jaka_proto::wire::{Fields, Reader};
 use serde_json::{json, to_string, to_value};
 
 const START: [f64; 6] = [0.0, 60.0, -80.0, 190.0, -90.0, 0.0];
@@ -68,13 +69,11 @@ fn limits_are_tables_and_keys_of_a_file() {
 
 #[test]
 fn limits_are_read_as_they_were_written() {
-    let dh = literal::GetDhParamReply {
-        alpha: arm().alpha().map(|alpha| alpha + 0.01),
-        a: arm().a().map(|a| a - 0.3),
-        d: *arm().d(),
-        joint_home_offset: *arm().joint_home_offset(),
-    };
-    let calibrated = arm().with_dh(&GetDhParamReply::from(dh)).expect("it is near");
+    let (alpha, a) = (arm().alpha().map(|alpha| alpha + 0.01), arm().a().map(|a| a - 0.3));
+    let (d, home) = (arm().d(), arm().joint_home_offset());
+    let dh = format!(r#"{{"alpha":{alpha:?},"a":{a:?},"d":{d:?},"joint_homeoff":{home:?}}}"#);
+    let dh = GetDhParamReply::read_fields(&mut Reader::new(&dh)).expect("it is a reply");
+    let calibrated = arm().with_dh(&dh).expect("it is near");
     let harder = limits().with_joint_accelerations([500.0; 6]).and_then(|limits| limits.with_joint_jerks([9e3; 6]));
     let stops = limits().with_stop_accelerations([300.0; 6]).and_then(|limits| limits.with_stop_jerks([2e3; 6]));
     for limits in [

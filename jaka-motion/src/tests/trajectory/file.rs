@@ -1,4 +1,4 @@
-//! Way-points from files and to files.
+//! Way-points from files.
 
 use super::{Random, some_points};
 use crate::{TimedPoint, Via};
@@ -17,8 +17,27 @@ fn json_errors(text: &str, expected: &[&str]) {
     assert_eq!(errors.lines().collect::<Vec<_>>(), expected);
 }
 
+/// Points in CSV and in JSON, with the digits that distinguish each number from all others.
+fn written(points: &[TimedPoint]) -> [String; 2] {
+    let lists = |point: &TimedPoint| {
+        let of_motion = [("velocity", "deg_s", point.velocity), ("acceleration", "deg_s2", point.acceleration)];
+        let of_motion = of_motion.into_iter().filter_map(|(name, unit, list)| Some((name, name, unit, list?)));
+        std::iter::once(("joint", "joints", "deg", point.joints.0)).chain(of_motion).collect::<Vec<_>>()
+    };
+    let names = lists(&points[0]).into_iter();
+    let columns = names.flat_map(|(name, _, unit, _)| (1..=6).map(move |joint| format!(",{name}_{joint}_{unit}")));
+    let (mut rows, mut objects) = (vec![format!("time_s{}\n", columns.collect::<String>())], Vec::new());
+    for point in points {
+        let numbers = lists(point).into_iter().flat_map(|(.., list)| list).map(|number| format!(",{number}"));
+        rows.push(format!("{}{}\n", point.time_s, numbers.collect::<String>()));
+        let members = lists(point).into_iter().map(|(_, key, unit, list)| format!(", \"{key}_{unit}\": {list:?}"));
+        objects.push(format!("{{\"time_s\": {}{}}}", point.time_s, members.collect::<String>()));
+    }
+    [rows.concat(), format!("{{\"points\": [\n{}\n]}}\n", objects.join(",\n"))]
+}
+
 #[test]
-fn what_is_written_is_read_as_the_same() {
+fn numbers_are_read_as_they_were_written() {
     let mut random = Random::new(10);
     for round in 0..60 {
         let mut points = some_points(&mut random, 2 + round % 5);
@@ -27,8 +46,9 @@ fn what_is_written_is_read_as_the_same() {
             point.velocity = (round % 3 > 0).then(|| std::array::from_fn(|_| random.between(-1e3, 1e3)));
             point.acceleration = (round % 3 > 1).then(|| std::array::from_fn(|_| random.between(-1e-9, 1e-9)));
         }
-        assert_eq!(TimedPoint::from_csv(&TimedPoint::to_csv(&points), "way.csv").expect("it reads"), points);
-        assert_eq!(TimedPoint::from_json(&TimedPoint::to_json(&points), "way.json").expect("it reads"), points);
+        let [csv, json] = written(&points);
+        assert_eq!(TimedPoint::from_csv(&csv, "way.csv").expect("it reads"), points);
+        assert_eq!(TimedPoint::from_json(&json, "way.json").expect("it reads"), points);
     }
 }
 
@@ -59,7 +79,7 @@ fn all_that_is_wrong_with_csv_is_said_with_its_place() {
             "way.csv:1:1: there is no column `velocity_4_deg_s` or `velocity_4_rad_s`",
             "way.csv:1:1: there is no column `velocity_5_deg_s` or `velocity_5_rad_s`",
             "way.csv:1:1: there is no column `velocity_6_deg_s` or `velocity_6_rad_s`",
-            "way.csv:1:1: unknown column `time`; is it `time_s`?",
+            "way.csv:1:1: unknown column `time`; they are `time_s`, `joint_1_deg`, `joint_1_rad`, `velocity_1_deg_s`, `velocity_1_rad_s`, `acceleration_1_deg_s2`, `acceleration_1_rad_s2`",
             "way.csv:2:1: found 3 fields, expected 8, as many as columns",
             "way.csv:3:1: found 2 fields, expected 8, as many as columns",
         ],
@@ -102,7 +122,7 @@ fn all_that_is_wrong_with_json_is_said_with_its_place() {
             "way.json:2:73: key `joints_rad` appears twice",
             "way.json:3:9: a point: `time_s` is missing",
             "way.json:3:9: a point: its keys differ from the keys of the first point",
-            "way.json:3:18: unknown key `time`; is it `time_s`?",
+            "way.json:3:18: unknown key `time`; they are `time_s`, `joints_deg`, `joints_rad`, `velocity_deg_s`, `velocity_rad_s`, `acceleration_deg_s2`, `acceleration_rad_s2`",
             "way.json:3:42: joints_deg: found `true`, expected a finite number",
             "way.json:3:48: joints_deg: found `\"0\"`, expected a finite number",
             "way.json:3:56: joints_deg: found `1e999`, expected a finite number",
@@ -120,7 +140,7 @@ fn all_that_is_wrong_with_json_is_said_with_its_place() {
 fn no_text_makes_a_reader_panic() {
     let mut random = Random::new(11);
     let points = some_points(&mut random, 3);
-    for (text, csv) in [(TimedPoint::to_csv(&points), true), (TimedPoint::to_json(&points), false)] {
+    for (text, csv) in written(&points).into_iter().zip([true, false]) {
         for _ in 0..2000 {
             let mut text: Vec<char> = text.chars().collect();
             for _ in 0..=random.below(3) {
@@ -178,7 +198,7 @@ fn all_that_is_wrong_with_points_without_times_is_said_with_its_place() {
         "way.json:3:9: a point: `rotation_deg` or `rotation_rad` is missing",
         "way.json:4:9: expected joint positions or a pose, and not both",
         "way.json:5:32: position_mm: found `\"3\"`, expected a finite number",
-        "way.json:5:83: unknown key `tool_speed_mms`; is it `tool_speed_mm_s`?",
+        "way.json:5:83: unknown key `tool_speed_mms`; they are `joints_deg`, `joints_rad`, `position_mm`, `rotation_deg`, `rotation_rad`, `tool_speed_mm_s`, `corner_mm`, `corner_turn_deg`, `corner_deg`",
     ];
     assert_eq!(errors.lines().collect::<Vec<_>>(), expected);
     let errors = Via::from_json(r#"{"points": []}"#, "way.json").unwrap_err().to_string();

@@ -9,7 +9,7 @@ use crate::motion::vector::{minus, plus};
 
 /// Filter that follows poses within limits of translation and rotation.
 #[derive(Debug, Clone)]
-pub(super) struct Cartesian {
+pub(crate) struct Cartesian {
     translation: Tracker<3>,
     rotation: Tracker<3>,
     /// Pose of the tool.

@@ -29,7 +29,7 @@ const SAME: f64 = 1e-9;
 
 /// Filter and its state.
 #[derive(Debug, Clone)]
-pub(super) enum Filter {
+pub(crate) enum Filter {
     /// Unchanged set-points.
     Off,
     /// First-order low pass, which moves by this share of the remaining distance in each cycle.
@@ -67,7 +67,7 @@ pub(crate) fn can_follow(settings: &SetServoMoveFilter) -> bool {
 
 impl Filter {
     /// Creates the filter for an arm at rest.
-    pub(super) fn new(settings: &SetServoMoveFilter, at: Joints, tool: Transform, model: &Model) -> Self {
+    pub(crate) fn new(settings: &SetServoMoveFilter, at: Joints, tool: Transform, model: &Model) -> Self {
         match *settings {
             SetServoMoveFilter::JointLowPass { cutoff_frequency, .. } => {
                 Self::LowPass(-(-TAU * cutoff_frequency * CYCLE.as_secs_f64()).exp_m1())

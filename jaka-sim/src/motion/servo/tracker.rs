@@ -23,7 +23,7 @@ struct ServoLimits {
 /// fast as its share of the limits allows. It does not overshoot, unless the target itself stops or turns back faster
 /// than the limits allow.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Tracker<const N: usize> {
+pub(crate) struct Tracker<const N: usize> {
     limits: ServoLimits,
     speed: [f64; N],
     acceleration: [f64; N],

@@ -4,7 +4,7 @@
 use super::Impact;
 use super::collect::{Differ, common, key};
 use crate::names::to_snake;
-use crate::{Field, Scalar, Spec, Type, TypeKind, is_floats};
+use crate::{Field, Spec, TypeKind};
 
 /// True if the constructors take the fields in another order.
 pub(super) fn is_reordered(old: &[Field], new: &[Field]) -> bool {
@@ -16,7 +16,7 @@ pub(super) fn is_reordered(old: &[Field], new: &[Field]) -> bool {
 /// Compares how constructors and setters take fields of `place` that are added, or written in another form.
 pub(super) fn compare(d: &mut Differ<'_>, place: &str, noun: &str, old: &[Field], new: &[Field]) {
     let constructors = constructors(d.old, old);
-    let is_constant = old.iter().all(|field| field.optional || !is_converted(d.old, field));
+    let is_constant = old.iter().all(|field| field.optional || !d.old.is_converted(field));
     for field in new {
         let place = format!("{place}, {noun} `{}`", key(field));
         let is_setter = |fields: &[Field]| fields.iter().any(|other| other.optional && other.name == field.name);
@@ -27,7 +27,7 @@ pub(super) fn compare(d: &mut Differ<'_>, place: &str, noun: &str, old: &[Field]
         // Where a named type converts no more, or begins to, its own changes say so.
         let is_written_otherwise = d.old.notation(&known.ty) != d.new.notation(&field.ty);
         if known.or_raw == field.or_raw && d.same_type(&known.ty, &field.ty) && is_written_otherwise {
-            match (is_converted(d.old, known), is_converted(d.new, field)) {
+            match (d.old.is_converted(known), d.new.is_converted(field)) {
                 (true, false) => d.note(&place, "functions take nothing that converts into it", Impact::Major),
                 (false, true) if is_constant && !known.optional => {
                     d.note(&place, "constructors are no longer `const`", Impact::Major);
@@ -43,7 +43,7 @@ pub(super) fn method(d: &mut Differ<'_>, place: &str, old: &[Field], new: &[Fiel
     let (Some(old), Some(new)) = (only_required(old), only_required(new)) else { return };
     if key(old) == key(new) && old.or_raw == new.or_raw && d.same_type(&old.ty, &new.ty) {
         let request = ("the method takes the request", Impact::Major);
-        d.flag(place, (!is_argument(old), !is_argument(new)), request, ("the method takes the field", Impact::Major));
+        d.flag(place, (!old.is_argument(), !new.is_argument()), request, ("the method takes the field", Impact::Major));
     }
 }
 
@@ -51,31 +51,6 @@ pub(super) fn method(d: &mut Differ<'_>, place: &str, old: &[Field], new: &[Fiel
 fn only_required(fields: &[Field]) -> Option<&Field> {
     let mut required = fields.iter().filter(|field| !field.optional);
     required.next().filter(|_| required.next().is_none())
-}
-
-/// True for a field that a method takes in place of the request, where it is the only required one.
-fn is_argument(field: &Field) -> bool {
-    match &field.ty {
-        Type::Scalar(Scalar::Text | Scalar::Float | Scalar::Int) | Type::Named(_) => !field.or_raw,
-        Type::Scalar(Scalar::Bool { .. } | Scalar::Json) | Type::List(_) | Type::Array(..) | Type::Python(_) => false,
-    }
-}
-
-/// True for a field that functions take as `impl Into<…>`.
-fn is_converted(spec: &Spec, field: &Field) -> bool {
-    let is_converted = match &field.ty {
-        Type::Scalar(Scalar::Text) => true,
-        Type::Named(id) => match &spec[*id].kind {
-            TypeKind::Wrapper(..) => true,
-            TypeKind::Array { fields, .. } => is_floats(fields),
-            TypeKind::Object(_) | TypeKind::IntEnum(_) | TypeKind::TextEnum(_) | TypeKind::Choice(_) => false,
-        },
-        Type::Scalar(Scalar::Bool { .. } | Scalar::Int | Scalar::Float | Scalar::Json)
-        | Type::List(_)
-        | Type::Array(..)
-        | Type::Python(_) => false,
-    };
-    field.or_raw || is_converted
 }
 
 /// Names of the constructors for the values of enums that select a kind.

@@ -160,7 +160,7 @@ fn a_test_sets_what_is_remembered() {
     let (arm, mut client) = Arm::stepped().no_packets().with_client();
     let before = client.get_traj_config().expect("it answers");
     arm.set_state(|state| {
-        let fields = state.remembered.entry("get_traj_config".to_owned()).or_default();
+        let fields = state.remembered.entry("set_traj_config".to_owned()).or_default();
         fields.insert("speed".to_owned(), 45.into());
     });
     let reply = client.get_traj_config().expect("it answers");

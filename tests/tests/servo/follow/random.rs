@@ -75,7 +75,7 @@ fn followed_at_random(random: &mut Random, trajectory: &Trajectory) -> Vec<[f64;
         left -= 1;
         if follower.time_s() >= stops_at {
             follower.set_scale(0.0);
-            let periods = follower.periods_to_rest(10_000).expect("it comes to rest");
+            let periods = follower.stopping().look_ahead(10_000).expect("it comes to rest");
             set_points.extend((0..=periods).map(|_| on_the_wire(follower.advance())));
             assert!(follower.is_at_rest());
             return set_points;
@@ -116,7 +116,7 @@ fn with_rounded_corners_they_stay_on_the_curve_and_stop_soon() {
         while !follower.is_at_end() {
             follower.advance();
             // 180 deg/s at 300 deg/s² take 0.6 s straight on.
-            assert!(follower.periods_to_rest(50).is_some(), "seed {seed}: at {} s", follower.time_s());
+            assert!(follower.stopping().look_ahead(50).is_some(), "seed {seed}: at {} s", follower.time_s());
         }
     }
 }

@@ -29,12 +29,12 @@ fn the_interface_of_all_messages() {
     let spec = builtin();
     for topic in spec.topics.iter().filter(|topic| topic::has_module(topic)) {
         let module = topic::module(&spec, topic, &spec.sent_types());
-        expect_file![format!("../golden/{}.rs", topic.name)].assert_eq(&interface(module));
+        expect_file![format!("../../golden/{}.rs", topic.name)].assert_eq(&interface(module));
     }
-    expect_file!["../golden/request.rs"].assert_eq(&interface(topic::requests(&spec)));
-    expect_file!["../golden/error_codes.rs"].assert_eq(&interface(error_codes::render(&spec)));
-    expect_file!["../golden/word_enums.rs"].assert_eq(&interface(word_enums::render()));
-    expect_file!["../golden/client.rs"].assert_eq(&interface(client::methods(&spec)));
+    expect_file!["../../golden/request.rs"].assert_eq(&interface(topic::requests(&spec)));
+    expect_file!["../../golden/error_codes.rs"].assert_eq(&interface(error_codes::render(&spec)));
+    expect_file!["../../golden/word_enums.rs"].assert_eq(&interface(word_enums::render()));
+    expect_file!["../../golden/client.rs"].assert_eq(&interface(client::methods(&spec)));
 }
 
 /// The requests of the calls in the docs. A test of the whole project compares them with the messages.
@@ -59,15 +59,15 @@ fn the_calls_of_the_examples() {
         pub(super) fn calls() -> Vec<(&'static str, Request)> {{ Vec::from([{rows}]) }}"
     );
     let file = syn::parse_file(&text).expect("the calls are valid Rust");
-    expect_file!["../golden/calls.rs"].assert_eq(&prettyplease::unparse(&file));
+    expect_file!["../../golden/calls.rs"].assert_eq(&prettyplease::unparse(&file));
 }
 
 #[test]
 fn the_full_expansion_for_each_shape() {
-    let text = include_str!("../golden/shapes.toml");
+    let text = include_str!("../../golden/shapes.toml");
     let spec = jaka_spec::load(&[Source { path: "shapes.toml", text }]).expect("the spec is correct");
     let (messages, modules, methods) = (topic::messages(&spec), client::modules(&spec), client::methods(&spec));
-    expect_file!["../golden/shapes.rs"].assert_eq(&pretty(quote!(#messages #modules #methods)));
+    expect_file!["../../golden/shapes.rs"].assert_eq(&pretty(quote!(#messages #modules #methods)));
 }
 
 #[test]
@@ -195,8 +195,9 @@ fn each_error_of_the_spec_is_a_compiler_error() {
 }
 
 /// The packs of the crate that shows how packs are used.
-const NEWER: Source<'_> = Source { path: "newer.toml", text: include_str!("../../tests/pack-user/newer.toml") };
-const CHANGED: Source<'_> = Source { path: "changed.toml", text: include_str!("../../tests/pack-user/changed.toml") };
+const NEWER: Source<'_> = Source { path: "newer.toml", text: include_str!("../../../tests/pack-user/newer.toml") };
+const CHANGED: Source<'_> =
+    Source { path: "changed.toml", text: include_str!("../../../tests/pack-user/changed.toml") };
 
 fn module(source: Source<'_>) -> Module {
     let spec = builtin();
@@ -206,12 +207,12 @@ fn module(source: Source<'_>) -> Module {
 #[test]
 fn packs() {
     let sync = quote!(::jaka_sync);
-    expect_file!["../golden/pack_newer.rs"].assert_eq(&interface(pack::render(&module(NEWER), &builtin(), &sync)));
+    expect_file!["../../golden/pack_newer.rs"].assert_eq(&interface(pack::render(&module(NEWER), &builtin(), &sync)));
     // Of the status packet, which is long and as it was, only what the pack adds.
     let spec = builtin();
     let before: Vec<_> = spec.status_fields().iter().map(|field| field.name.as_str()).collect();
     let changed = interface_without(pack::render(&module(CHANGED), &spec, &sync), "RobotStatus", &before);
-    expect_file!["../golden/pack_changed.rs"].assert_eq(&changed);
+    expect_file!["../../golden/pack_changed.rs"].assert_eq(&changed);
 }
 
 #[test]
@@ -238,7 +239,8 @@ fn commands_in_the_spec_and_in_a_pack_are_the_same() {
 }
 
 /// The pack of the same crate that has all that is legal and strange.
-const STRANGE: Source<'_> = Source { path: "strange.toml", text: include_str!("../../tests/pack-user/strange.toml") };
+const STRANGE: Source<'_> =
+    Source { path: "strange.toml", text: include_str!("../../../tests/pack-user/strange.toml") };
 
 /// rustdoc tests what it takes for code, and `cargo test` of this pack's user does so: see there.
 #[test]

@@ -1,0 +1,4 @@
+//! Tests of the expansion.
+
+mod corpora;
+mod golden;
