@@ -26,12 +26,18 @@ use crate::{Client, Command, Error};
 /// doc = "How many motions are queued."
 /// ```
 ///
-/// ```ignore
+/// ```no_run
+/// # /*
 /// jaka_sync::pack!("newer.toml");
+/// # */
+/// # jaka_sync::pack!("../jaka-cli/tests/guide/newer.toml");
 /// use newer::NewerCommands as _;
 ///
+/// # fn main() -> Result<(), jaka_sync::Error> {
 /// let mut robot = jaka_sync::Client::connect("10.5.5.100")?;
 /// let queue = robot.demo_motion_state()?.queue;
+/// # Ok(())
+/// # }
 /// ```
 ///
 /// A pack can also change the built-in spec: `[[extend]]` adds fields to a command or a type, such as keys to the
@@ -46,9 +52,14 @@ use crate::{Client, Command, Error};
 ///
 /// A pack can build on other packs, which are named in their order. Their modules are siblings of its own module:
 ///
-/// ```ignore
+/// ```
+/// # /*
 /// jaka_sync::pack!("newer.toml");
 /// jaka_sync::pack!("later.toml" on "newer.toml");
+/// # */
+/// # jaka_sync::pack!("../tests/pack-user/halt.toml");
+/// # jaka_sync::pack!("../tests/pack-user/mapped.toml" on "../tests/pack-user/halt.toml");
+/// # fn main() {}
 /// ```
 ///
 /// A command with a table `[command.motion]`, which names the fields of its target and path, is a

@@ -8,6 +8,11 @@ use jaka_robot::{Command, MotionStatus, Robot, RobotConfig};
 use jaka_spec::Spec;
 use serde_json::{Number, Value};
 
+/// The page's blocks of code.
+#[cfg(doctest)]
+#[doc = include_str!("../../jaka-sync/docs/newer-firmware.md")]
+pub mod newer_firmware {}
+
 mod arm;
 mod hand_fed;
 pub mod plain_controller;
