@@ -32,7 +32,8 @@ use crate::{Error, NotGuarded, NotShown, Snapshot};
 /// Trajectories, and streams (feature `stream`), are bounded by their set-points: the tool moves on for a period of the
 /// packets, the reaction and two servo periods, and then along the path on which the set-points brake it, independent
 /// of [`braking`](Self::braking). See `FollowConfig::guard` and `StreamConfig::guard` for the rules. The lag of such an
-/// arm behind its set-points, and a servo filter, are parts of the reaction: `End::lag` measures the lag.
+/// arm behind its set-points, and a servo filter, are parts of the reaction:
+/// [`TrajectoryReport::lag`](crate::TrajectoryReport::lag) measures the lag.
 ///
 /// | packets each | reaction | braking | permitted with 1 mm |
 /// |---|---|---|---|

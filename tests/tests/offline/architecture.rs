@@ -110,12 +110,12 @@ pub(crate) fn code(text: &str) -> String {
     text[..end].lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }
 
-fn is_word(text: &str) -> bool {
+pub(crate) fn is_word(text: &str) -> bool {
     text.starts_with(|first: char| first.is_alphanumeric() || first == '_')
 }
 
 /// Words, `::` and other characters of some code, without blanks.
-fn tokens(mut code: &str) -> Vec<&str> {
+pub(crate) fn tokens(mut code: &str) -> Vec<&str> {
     let mut found = Vec::new();
     while let Some(first) = code.chars().next() {
         let length = match first {
@@ -304,7 +304,8 @@ fn options() -> Vec<String> {
     let config = text(&workspace().join("jaka-sync/src/config.rs"));
     let (_, fields) = config.split_once("pub struct Config {").expect("it is there");
     let (fields, _) = fields.split_once("\n}").expect("it ends");
-    fields.lines().filter_map(|line| line.split("pub(crate) ").nth(1)?.split(':').next()).map(str::to_owned).collect()
+    let fields = fields.lines().filter(|line| !line.trim_start().starts_with('#'));
+    fields.filter_map(|line| line.split_once(':')?.0.split_whitespace().last()).map(str::to_owned).collect()
 }
 
 #[test]

@@ -61,7 +61,7 @@ fn commands_are_named_where_there_is_a_reason() {
     assert!(NAMED.iter().all(|(.., reason)| !reason.is_empty()));
 }
 
-/// The commands that each file names: by `Name::INFO`, by a pattern of a request, or by a text.
+/// The commands that each file names: by the `INFO` of its type, by a pattern of a request, or by a text.
 fn named() -> BTreeMap<String, BTreeSet<String>> {
     let spec = spec();
     let mut found = BTreeMap::new();

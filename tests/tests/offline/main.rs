@@ -9,6 +9,7 @@ mod examples;
 mod json;
 mod json_schema;
 mod kinematics;
+mod named;
 mod properties;
 mod readme;
 mod reference;
