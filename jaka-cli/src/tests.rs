@@ -4,6 +4,7 @@ mod beyond;
 mod causes;
 mod check;
 mod document;
+mod failures;
 mod files;
 mod follow;
 mod motions;

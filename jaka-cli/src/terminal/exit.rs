@@ -134,7 +134,7 @@ const OF_CAUSES: &[(Cause, u8)] = &[
 ];
 
 /// Returns the exit code for the end of a motion or a trajectory.
-fn of_cause(cause: Cause) -> u8 {
+pub(crate) fn of_cause(cause: Cause) -> u8 {
     // A test compares the table with all causes.
     OF_CAUSES.iter().find(|(known, _)| *known == cause).map_or(NOT_FOLLOWED, |(_, code)| *code)
 }
