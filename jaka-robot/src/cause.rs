@@ -1,5 +1,7 @@
 //! Reasons why an arm does not move, or does not move on: data of errors and of the ends of motions.
 
+mod braking;
+mod consequence;
 mod explanation;
 mod occurrence;
 mod remedy;
@@ -7,8 +9,9 @@ mod table;
 mod trip;
 mod unknown;
 
+pub(crate) use self::braking::Braking;
+pub(crate) use self::consequence::Consequence;
 pub use self::explanation::Explanation;
-pub(crate) use self::occurrence::Consequence;
 pub use self::occurrence::{Evidence, Occurrence};
 pub use self::remedy::Remedy;
 pub use self::table::{Cause, CauseGroup};

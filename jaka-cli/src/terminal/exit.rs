@@ -1,8 +1,9 @@
-//! Exit codes, by the possible reactions of a script to a failure.
+//! Exit codes, by the possible reactions of a script to a failure. Those of a motion's end are in the table of causes of
+//! jaka-robot.
 
 use std::process::ExitCode;
 
-use jaka_robot::{Cause, Error, ErrorKind};
+use jaka_robot::{Error, ErrorKind};
 use jaka_spec::tools::Impact;
 
 use crate::failure::command_line;
@@ -33,29 +34,11 @@ pub(crate) const WRONG: u8 = 9;
 /// Code for a motion that the robot's state or a limit forbids, or with an unknown state; nothing that moves the arm
 /// was sent.
 pub(crate) const NOT_MOVED: u8 = 20;
-/// Code for an arm at rest that may not be at its target.
-pub(crate) const AT_REST: u8 = 21;
-/// Code for a motion that ended before its target.
-pub(crate) const STOPPED: u8 = 22;
-/// Code for a motion ended by a protective stop.
-pub(crate) const PROTECTIVE_STOP: u8 = 23;
-/// Code for a motion ended by the emergency stop.
-pub(crate) const EMERGENCY_STOP: u8 = 24;
-/// Code for an arm without power, or not enabled.
-pub(crate) const DISABLED: u8 = 25;
-/// Code for an error reported by the controller.
-pub(crate) const CONTROLLER_ERROR: u8 = 26;
 /// Code for a wait that ended with its timeout. After a wait for the end of a motion, the arm may still move.
 pub(crate) const DEADLINE: u8 = 27;
-/// Code for the loss of readable status packets; the arm may still move.
-pub(crate) const STATUS_LOST: u8 = 28;
 /// Code for a stop by Ctrl-C or `jaka stop` after which the arm may still move: the controller did not accept it, or
 /// its acceptance is unknown, or the arm was not seen at rest.
 pub(crate) const NOT_STOPPED: u8 = 29;
-
-/// Code for a trajectory not followed to its end, for another reason: the message names it, and whether the arm is at
-/// rest.
-pub(crate) const NOT_FOLLOWED: u8 = 30;
 
 /// Code for Ctrl-C before any request was sent, or before the awaited event.
 pub(crate) const INTERRUPTED: u8 = 130;
@@ -100,49 +83,10 @@ pub(crate) fn difference(impact: Impact) -> u8 {
     }
 }
 
-/// Exit code of each cause for the end of a motion.
-const OF_CAUSES: &[(Cause, u8)] = &[
-    (Cause::Reached, 0),
-    (Cause::NoMotion, MAY_HAVE_RUN),
-    (Cause::AtRest, AT_REST),
-    (Cause::Landed, 0),
-    (Cause::Stopped, STOPPED),
-    (Cause::ProtectiveStop, PROTECTIVE_STOP),
-    (Cause::EmergencyStop, EMERGENCY_STOP),
-    (Cause::DragMode, STOPPED),
-    (Cause::NotPowered, DISABLED),
-    (Cause::NotEnabled, DISABLED),
-    (Cause::ControllerError, CONTROLLER_ERROR),
-    (Cause::SoftLimit, CONTROLLER_ERROR),
-    (Cause::Deadline, DEADLINE),
-    (Cause::StatusLost, STATUS_LOST),
-    (Cause::NotShown, STATUS_LOST),
-    (Cause::CommandsLost, MAY_HAVE_RUN),
-    (Cause::Unanswered, MAY_HAVE_RUN),
-    (Cause::NoRemoteControl, NOT_MOVED),
-    (Cause::Moving, NOT_MOVED),
-    (Cause::BeyondLimit, NOT_MOVED),
-    (Cause::NotAtStart, NOT_MOVED),
-    (Cause::ServoMode, NOT_FOLLOWED),
-    (Cause::FramesChanged, STOPPED),
-    (Cause::Guard, NOT_FOLLOWED),
-    (Cause::SetPointLate, NOT_FOLLOWED),
-    (Cause::Departed, NOT_FOLLOWED),
-    (Cause::Refused, NOT_FOLLOWED),
-    (Cause::RestNotSeen, NOT_FOLLOWED),
-    (Cause::Failed, NOT_FOLLOWED),
-];
-
-/// Returns the exit code for the end of a motion or a trajectory.
-pub(crate) fn of_cause(cause: Cause) -> u8 {
-    // A test compares the table with all causes.
-    OF_CAUSES.iter().find(|(known, _)| *known == cause).map_or(NOT_FOLLOWED, |(_, code)| *code)
-}
-
 /// Returns the exit code for an error of the robot, by the possible reactions of a script.
 fn exit_code(error: &Error) -> u8 {
     if let ErrorKind::NotReached { end } = error.kind() {
-        of_cause(end.cause())
+        end.cause().exit_code()
     } else if error.may_have_run() {
         MAY_HAVE_RUN
     } else if error.is_refused() {
@@ -206,13 +150,6 @@ mod tests {
         // This request may or may not be sent; the next is not sent.
         client.get_version().unwrap_err();
         assert_eq!(code(client.get_version()), LOST);
-    }
-
-    #[test]
-    fn each_cause_has_an_exit_code() {
-        let mut known: Vec<_> = OF_CAUSES.iter().map(|(cause, _)| *cause).collect();
-        known.sort_unstable();
-        assert_eq!(known, Cause::ALL, "in the order of the precedence");
     }
 
     #[test]

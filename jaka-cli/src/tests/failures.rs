@@ -194,12 +194,14 @@ fn each_has_its_text_its_remedy_and_its_exit_code() {
     let mut out = String::new();
     for cause in Cause::ALL {
         let (name, group, remedy) = (cause.name(), cause.group(), cause.remedy());
-        writeln!(out, "{name} | {group:?} | {}\n  {cause}\n  {remedy}", exit::of_cause(*cause)).expect("it is text");
+        writeln!(out, "{name} | {group:?} | {}\n  {cause}\n  {remedy}", cause.exit_code()).expect("it is text");
         if let Some(hint) = verb(remedy) {
             writeln!(out, "  hint: {hint}").expect("it is text");
         }
     }
-    of_connection().into_iter().for_each(|kind| line(&mut out, kind.into()));
-    of_robot().into_iter().chain(sequences()).for_each(|kind| line(&mut out, kind.into()));
+    let errors = of_connection().into_iter().map(Error::from);
+    for error in errors.chain(of_robot().into_iter().chain(sequences()).map(Error::from)) {
+        line(&mut out, error);
+    }
     expect_file!["failures.txt"].assert_eq(&out);
 }

@@ -8,6 +8,7 @@ use jaka_proto::ControllerEvent;
 use jaka_proto::wire::DecodeError;
 use jaka_sync::layer::seat_hint;
 
+use super::consequence::Consequence;
 use super::remedy::Remedy;
 use super::table::Cause;
 use super::trip::GuardTrip;
@@ -137,7 +138,7 @@ impl Occurrence {
             | Evidence::Event { .. }
             | Evidence::Frames(_)
             | Evidence::Commands { .. }
-            | Evidence::Status { .. } => Consequence::of(self.cause),
+            | Evidence::Status { .. } => self.cause.consequence(),
         }
     }
 }
@@ -160,84 +161,5 @@ impl fmt::Display for Occurrence {
         };
         // Parts of it come from outside.
         f.pad(&jaka_proto::text::visible(&text))
-    }
-}
-
-/// Consequence of an end of the wait for motions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Consequence {
-    /// They have ended.
-    Over,
-    /// They have ended, and no other is sent before somebody has acknowledged that.
-    Latched,
-    /// They have ended, no other is sent before somebody has acknowledged that, and the arm may still move.
-    LatchedMayMove,
-    /// As [`Stops`](Self::Stops), and no motion is sent before somebody has acknowledged that.
-    LatchedStops,
-    /// They are not waited for any more, and the arm may still move.
-    MayMove,
-    /// They are not waited for any more, and the arm is stopped.
-    Stops,
-    /// They may continue, and the program can wait for them again.
-    GoesOn,
-}
-
-impl Consequence {
-    /// Each cause is named, so that a new one does not compile before it is decided.
-    fn of(cause: Cause) -> Self {
-        match cause {
-            Cause::Reached
-            | Cause::AtRest
-            | Cause::Landed
-            | Cause::NoMotion
-            | Cause::Stopped
-            | Cause::NotPowered
-            | Cause::NotEnabled => Self::Over,
-            Cause::ProtectiveStop | Cause::EmergencyStop => Self::Latched,
-            Cause::DragMode => Self::LatchedStops,
-            Cause::StatusLost => Self::LatchedMayMove,
-            Cause::Deadline | Cause::CommandsLost => Self::GoesOn,
-            Cause::FramesChanged => Self::Stops,
-            Cause::ControllerError
-            // None of these ends the wait for a motion that the controller plans.
-            | Cause::SoftLimit
-            | Cause::NoRemoteControl
-            | Cause::ServoMode
-            | Cause::Moving
-            | Cause::Guard
-            | Cause::Unanswered
-            | Cause::NotShown
-            | Cause::SetPointLate
-            | Cause::Departed
-            | Cause::Refused
-            | Cause::BeyondLimit
-            | Cause::NotAtStart
-            | Cause::RestNotSeen
-            | Cause::Failed => Self::MayMove,
-        }
-    }
-
-    /// True if no motion is sent before somebody has acknowledged it.
-    pub(crate) fn latches(self) -> bool {
-        match self {
-            Self::Latched | Self::LatchedMayMove | Self::LatchedStops => true,
-            Self::Over | Self::MayMove | Self::Stops | Self::GoesOn => false,
-        }
-    }
-
-    /// True if the arm is stopped because of it.
-    pub(crate) fn stops(self) -> bool {
-        match self {
-            Self::Stops | Self::LatchedStops => true,
-            Self::Over | Self::Latched | Self::LatchedMayMove | Self::MayMove | Self::GoesOn => false,
-        }
-    }
-
-    /// True if the arm may still move.
-    pub(crate) fn may_move(self) -> bool {
-        match self {
-            Self::LatchedMayMove | Self::LatchedStops | Self::MayMove | Self::Stops | Self::GoesOn => true,
-            Self::Over | Self::Latched => false,
-        }
     }
 }

@@ -7,12 +7,12 @@ use jaka_proto::Command;
 use jaka_proto::messages::servo::ServoJ;
 
 use super::ServoSession;
-use super::braking::Braking;
+use super::braking::braking_after;
 use super::course::Course;
 use super::rates::Rates;
 use super::set_point::{SetPoint, SetPointStep};
 use crate::arm::{Sending, Stillness};
-use crate::cause::Occurrence;
+use crate::cause::{Braking, Occurrence};
 use crate::{Cause, Error, ErrorKind, Rest};
 
 /// Time for which the last set-point is held where no packets come that could show rest. Ours: an arm that follows its
@@ -221,7 +221,7 @@ impl ServoSession<'_> {
                 let gate = self.arm.gate(Sending::Holding);
                 match self.send_landing(set_point, &gate, refused) {
                     // A stop has come between, or an odd reply, which the next ones make up for.
-                    Err(error) if Braking::after(&error) == Braking::Land && !error.is_refused() => Ok(()),
+                    Err(error) if braking_after(&error) == Braking::Land && !error.is_refused() => Ok(()),
                     sent => sent.map(drop),
                 }
             }

@@ -11,9 +11,10 @@ use jaka_sync::layer::{ClientParts as _, Sent};
 
 use super::ServoSession;
 use super::Supervision;
-use super::braking::Braking;
+use super::braking::braking_after;
 use super::land::{BrakingPath, not_seen};
 use super::pace::{CYCLE, Pace};
+use crate::cause::Braking;
 use crate::error::SessionEnd;
 use crate::{Cause, Disconnect, End, Error, ErrorKind, Explanation, Occurrence, Report};
 
@@ -104,11 +105,8 @@ impl ServoSession<'_> {
     /// Ends the session as [`end`](Self::end), on another braking path.
     pub(crate) fn end_by(&mut self, first: Error, braking: BrakingPath<'_>) -> Error {
         self.has_departed = matches!(first.kind(), ErrorKind::Departed { .. });
-        let landed = if self.is_open && Braking::after(&first) == Braking::Land {
-            self.come_to_rest_by(braking)
-        } else {
-            Ok(())
-        };
+        let landed =
+            if self.is_open && braking_after(&first) == Braking::Land { self.come_to_rest_by(braking) } else { Ok(()) };
         let left = if self.is_open { self.leave() } else { Ok(()) };
         let first = self.explained(first);
         let error = match (landed, left) {
