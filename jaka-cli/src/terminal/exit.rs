@@ -1,5 +1,5 @@
-//! Exit codes, by the possible reactions of a script to a failure. Those of a motion's end are in the table of causes of
-//! jaka-robot.
+//! Exit codes, by the possible reactions of a script to a failure. Those of a motion's end are in the table of causes
+//! of jaka-robot.
 
 use std::process::ExitCode;
 
