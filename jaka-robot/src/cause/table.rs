@@ -34,9 +34,9 @@ macro_rules! is_status {
     };
 }
 
-/// Makes the enum of the rows. A row has the variant, its name for programs, its group, its fact and its remedy; and the
-/// braking of an arm that set-points lead, the consequence for motions that the controller plans, whether a packet of the
-/// status port or its absence shows it, and the exit code. The order of the rows is the precedence.
+/// Makes the enum of the rows. A row has the variant, its name for programs, its group, its fact and its remedy; and
+/// the braking of an arm that set-points lead, the consequence for motions that the controller plans, whether a packet
+/// of the status port or its absence shows it, and the exit code. The order of the rows is the precedence.
 macro_rules! causes {
     ($($(#[$doc:meta])* $variant:ident $name:literal $group:ident $fact:literal $remedy:ident $(($of_connection:ident))?,
         $braking:ident $consequence:ident $shown:ident $code:literal;)+) => {
