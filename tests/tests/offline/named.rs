@@ -162,6 +162,24 @@ fn each_function_of_an_excuse_is_there() {
 }
 
 #[test]
+fn each_test_that_writes_is_there() {
+    let script = read(&root().join(".ci/regenerate"));
+    let (_, list) = script.split_once("writers=(").expect("it lists them");
+    let names: Vec<_> = list.split(')').next().unwrap_or_default().split_whitespace().collect();
+    assert!(names.len() > 10, "{names:?}");
+    // The file of a test ends with the last module of its name.
+    let tests: Vec<_> = files("rs").into_iter().map(|path| (read(&path), path)).collect();
+    for name in names {
+        let mut words = name.rsplit("::");
+        let (function, module) = (words.next().unwrap_or(name), words.next().unwrap_or(name));
+        let declares = |text: &str| text.contains(&format!("fn {function}("));
+        let is_there =
+            |(text, path): &(String, PathBuf)| declares(text) && path.file_stem().is_some_and(|stem| stem == module);
+        assert!(tests.iter().any(is_there), "there is no test `{name}`");
+    }
+}
+
+#[test]
 fn each_block_of_rust_is_compiled() {
     let comment = |line: &str| line.trim_start().trim_start_matches(['/', '!']).trim_start().to_owned();
     for path in files("md").into_iter().chain(files("rs")) {
