@@ -138,6 +138,24 @@ fn a_get_after_a_set_gives_it_back() {
 }
 
 #[test]
+fn a_command_changes_what_it_ends_and_nothing_beside_it() {
+    let controller = stepped();
+    let mut peer = Peer::commands(&controller);
+    peer.ask(r#"{"cmdName":"enable_admittance_ctrl","enable_flag":1}"#);
+    peer.call("disable_force_control");
+    assert!(!controller.state().admittance.enabled);
+    peer.ask(r#"{"cmdName":"set_payload","mass":2.5,"centroid":[1,2,3]}"#);
+    peer.ask(r#"{"cmdName":"set_tool_payload","mass":1.5,"centroid":[4,5,6]}"#);
+    assert_eq!(
+        (&peer.call("get_payload")["mass"], &peer.call("get_tool_payload")["mass"]),
+        (&json("2.5"), &json("1.5"))
+    );
+    peer.ask(r#"{"cmdName":"torque_control_enable","enable_flag":1}"#);
+    peer.call("disable_robot");
+    assert_eq!(peer.call("drag_status")["drag_status"], "False");
+}
+
+#[test]
 fn frames_and_axes_are_set_one_by_one() {
     let controller = fresh();
     let mut peer = Peer::commands(&controller);
