@@ -9,7 +9,7 @@ use std::io;
 use std::path::Path;
 
 use itertools::Itertools as _;
-use jaka_robot::{Error, ErrorKind, Explanation, Refusal, Remedy, jaka_sync};
+use jaka_robot::{Error, ErrorKind, Occurrence, Refusal, Remedy, jaka_sync};
 use jaka_spec::Spec;
 use jaka_spec::words::first_sentence;
 
@@ -29,7 +29,7 @@ pub(crate) enum Failure {
         /// Meaning of the code, if the spec knows it.
         meaning: Option<String>,
         /// Explanation of the refusal, if the robot's status shows one.
-        explanation: Option<Box<Explanation>>,
+        explanation: Option<Box<Occurrence>>,
     },
     /// The controller did not accept a stop, or its acceptance is unknown.
     NotStopped(Box<Failure>),

@@ -14,24 +14,11 @@ use serde_json::json;
 use crate::program::{Run, address_of, command, run, scratch};
 
 jaka_robot::pack!("tests/guide/newer.toml");
-jaka_robot::pack!("tests/guide/moved.toml");
 
 use newer::NewerCommands as _;
 
 const GUIDE: &str = include_str!("../../jaka-sync/docs/newer-firmware.md");
 const PACK: &str = include_str!("guide/newer.toml");
-
-impl jaka_sync::MotionStatus for moved::RobotStatus {
-    fn robot_status(&self) -> jaka_sync::status::RobotStatus {
-        let mut status = self.as_built_in();
-        status.joint_actual_position = self.joint_actual_position.map(|joints| joints.map(f64::to_degrees).into());
-        status
-    }
-
-    fn absent() -> &'static [&'static str] {
-        &["error_code"]
-    }
-}
 
 /// A controller with the guide's firmware.
 fn controller(arm: ArmBuilder) -> Arm {
@@ -229,15 +216,4 @@ fn the_guide_lists_what_a_robot_needs() {
     });
     let table = rows.collect::<String>();
     assert!(GUIDE.contains(&format!("|---|---|---|\n{table}\n")), "the guide has another table than\n{table}");
-}
-
-#[test]
-fn the_guide_s_conversion_is_the_one_that_is_compiled_here() {
-    let code = blocks("ignore").into_iter().find(|code| code.contains("as_built_in")).expect("the guide shows it");
-    assert!(include_str!("guide.rs").contains(code), "{code}");
-    let mut packet = moved::RobotStatus::default();
-    (packet.safety_halt, packet.joint_actual_position) = (Some(true), Some([std::f64::consts::PI; 6]));
-    let status = jaka_sync::MotionStatus::robot_status(&packet);
-    assert_eq!((status.protective_stop, status.error_code), (Some(true), None));
-    assert_eq!(status.joint_actual_position.map(|joints| joints.0), Some([180.0; 6]));
 }

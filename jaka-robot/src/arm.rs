@@ -35,7 +35,7 @@ pub(crate) use self::trouble::{Since, Stop, lost, stop};
 use crate::error::Attach as _;
 use crate::under_way::UnderWay;
 use crate::{
-    Client, Command, Disconnect, Error, ErrorKind, Explanation, Monitor, MonitorStatistics, MotionStatus, Occurrence,
+    Cause, Client, Command, Disconnect, Error, ErrorKind, Monitor, MonitorStatistics, MotionStatus, Occurrence,
     Snapshot,
 };
 
@@ -237,8 +237,8 @@ impl Arm {
     }
 
     /// Error for an action that the state of the arm prevents.
-    pub(crate) fn not_ready(&self, explanation: Explanation) -> Error {
-        self.attach(ErrorKind::NotReady { explanation })
+    pub(crate) fn not_ready(&self, occurrence: impl Into<Occurrence>) -> Error {
+        self.attach(ErrorKind::NotReady { occurrence: occurrence.into() })
     }
 
     /// Gate that lets this pass while it may be sent.
@@ -314,7 +314,7 @@ impl Arm {
     }
 
     /// Explanation of an error of the client, if it is a refusal and the state of the arm shows its reason.
-    pub(crate) fn explain(&mut self, error: &jaka_sync::Error) -> Option<Explanation> {
+    pub(crate) fn explain(&mut self, error: &jaka_sync::Error) -> Option<Occurrence> {
         let timeout = self.client.reply_timeout();
         explain(self, error.refusal()?, timeout)
     }
@@ -324,9 +324,9 @@ impl Arm {
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Reason for a refusal, as far as the state of the arm shows it.
-fn explain(arm: &mut Arm, refusal: &Refusal, timeout: Duration) -> Option<Explanation> {
+fn explain(arm: &mut Arm, refusal: &Refusal, timeout: Duration) -> Option<Occurrence> {
     if refusal.code == ErrorCode::PERMISSION_DENIED {
-        return Some(Explanation::NoRemoteControl);
+        return Some(Cause::NoRemoteControl.into());
     }
     let mut status = arm.state.fresh_packet().map(|newest| newest.status.clone()).unwrap_or_default();
     let state = arm.queries().call_within(&GetRobotState::new(), PATIENCE.min(timeout));
@@ -337,5 +337,5 @@ fn explain(arm: &mut Arm, refusal: &Refusal, timeout: Duration) -> Option<Explan
     if let Ok(Some(event)) = state.as_ref().map_or(Ok(None), GetRobotStateReply::event) {
         status.error_code = Some(format!("{:#x}", event.code()));
     }
-    Explanation::of(refusal, Some(&status))
+    Occurrence::of_refusal(refusal, Some(&status))
 }

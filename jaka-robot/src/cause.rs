@@ -2,18 +2,18 @@
 
 mod braking;
 mod consequence;
-mod explanation;
 mod occurrence;
 mod remedy;
+mod servo_mode;
 mod table;
 mod trip;
 mod unknown;
 
 pub(crate) use self::braking::Braking;
 pub(crate) use self::consequence::Consequence;
-pub use self::explanation::Explanation;
 pub use self::occurrence::{Evidence, Occurrence};
 pub use self::remedy::Remedy;
+pub use self::servo_mode::ServoModeState;
 pub use self::table::{Cause, CauseGroup};
 pub use self::trip::{GuardTrip, LagBeyondReaction, TripReason};
 pub(crate) use self::unknown::{Field, shown_joints};

@@ -44,8 +44,8 @@ pub use jaka_sync::*;
 
 pub use arm::{RobotStop, wait_for_rest};
 pub use cause::{
-    Cause, CauseGroup, Evidence, Explanation, GuardTrip, LagBeyondReaction, NotGuarded, NotShown, Occurrence, Remedy,
-    TripReason, Unchecked,
+    Cause, CauseGroup, Evidence, GuardTrip, LagBeyondReaction, NotGuarded, NotShown, Occurrence, Remedy,
+    ServoModeState, TripReason, Unchecked,
 };
 pub use error::{End, Error, ErrorKind, Phase, Rest};
 pub use follow::{FollowConfig, FollowHandle, FollowProgress, FollowRun};

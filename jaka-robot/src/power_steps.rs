@@ -10,7 +10,7 @@ use jaka_proto::messages::power::{DisableRobot, EnableRobot, GetRobotState, GetR
 use jaka_sync::layer::{ClientParts as _, Stops, describe};
 
 use crate::arm::{Arm, unknown};
-use crate::{Error, ErrorKind, Explanation, Remedy, StatusProblem};
+use crate::{Cause, Error, ErrorKind, Remedy, StatusProblem};
 
 /// Period of the queries for the state.
 const QUERY_PERIOD: Duration = Duration::from_millis(100);
@@ -85,7 +85,7 @@ impl<'o> Steps<'o> {
         self.check_stops(stops)?;
         match self.moves {
             Some(before) if stops.moves() != before => {
-                let moving = Error::from(ErrorKind::NotReady { explanation: Explanation::Moving });
+                let moving = Error::from(ErrorKind::NotReady { occurrence: Cause::Moving.into() });
                 Err(moving.before_with(step, Remedy::WaitForRest))
             }
             Some(_) | None => Ok(()),
@@ -212,13 +212,13 @@ fn check_emergency_stop(arm: &Arm, time: Duration) -> Result<(), Error> {
         let packet = newest?;
         let unreadable = packet.unfit.iter().find(|error| error.is_in("emergency_stop"));
         match (packet.status.emergency_stop, unreadable) {
-            (Some(true), _) => Some(Err(Explanation::EmergencyStop)),
+            (Some(true), _) => Some(Err(Cause::EmergencyStop)),
             (_, Some(source)) => Some(Ok(StatusProblem::Unreadable { source: source.clone() })),
             (_, None) => None,
         }
     });
     match found {
-        Ok(Some(Err(explanation))) => Err(arm.not_ready(explanation)),
+        Ok(Some(Err(cause))) => Err(arm.not_ready(cause)),
         Ok(Some(Ok(problem))) => Err(arm.attach(unknown(problem))),
         Ok(None) => Ok(()),
         Err(cause) => Err(arm.status_ended(cause)),

@@ -22,9 +22,8 @@ use crate::power_steps::NeedsRest;
 use crate::preflight::Preflight;
 use crate::servo_session::{LedArm, ServoSession};
 use crate::{
-    AnalogCondition, Call, Client, Command, Config, End, Error, ErrorKind, Explanation, FollowConfig, FollowRun,
-    InputCondition, Monitor, Motion, MotionStatus, Occurrence, PowerStep, RobotStop, Run, SessionConfig, Snapshot,
-    power_steps,
+    AnalogCondition, Call, Client, Command, Config, End, Error, ErrorKind, FollowConfig, FollowRun, InputCondition,
+    Monitor, Motion, MotionStatus, Occurrence, PowerStep, RobotStop, Run, SessionConfig, Snapshot, power_steps,
 };
 #[cfg(feature = "stream")]
 use crate::{Stream, StreamConfig};
@@ -455,7 +454,7 @@ impl<S: MotionStatus> Robot<S> {
     /// Asks the controller whether the arm is powered and enabled (`get_robot_state`, 4.12): packets may be older than
     /// the refusal. Only packets show whether the robot is stopped; stale ones count for nothing. Refused motions of
     /// the robot itself are explained in their error: [`ErrorKind::Refused`].
-    pub fn explain(&mut self, error: &jaka_sync::Error) -> Option<Explanation> {
+    pub fn explain(&mut self, error: &jaka_sync::Error) -> Option<Occurrence> {
         self.arm.explain(error)
     }
 }

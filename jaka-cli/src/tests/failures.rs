@@ -10,8 +10,8 @@ use jaka_robot::jaka_motion::{FitError, TrajectoryError};
 use jaka_robot::jaka_sync;
 use jaka_robot::jaka_sync::proto::recording::Port;
 use jaka_robot::{
-    Cause, Disconnect, Error, ErrorCode, ErrorKind, Evidence, Explanation, NotGuarded, NotShown, Occurrence, Refusal,
-    Remedy, StatusProblem, Unchecked,
+    Cause, Disconnect, Error, ErrorCode, ErrorKind, Evidence, NotGuarded, NotShown, Occurrence, Refusal, Remedy,
+    ServoModeState, StatusProblem, Unchecked,
 };
 
 use crate::failure::{Failure, verb};
@@ -54,22 +54,11 @@ fn problems() -> [StatusProblem; 5] {
     ]
 }
 
-fn explanations() -> [Explanation; 12] {
-    use Explanation::*;
-    [
-        EmergencyStop,
-        ProtectiveStop,
-        DragMode,
-        NotPowered,
-        NotEnabled,
-        NotInServoMode,
-        NoRemoteControl,
-        Moving,
-        ServoModeOn,
-        ServoModeNotEntered,
-        ServoModeNotLeft,
-        SoftLimit,
-    ]
+fn occurrences() -> Vec<Occurrence> {
+    use Cause::{DragMode, EmergencyStop, Moving, NoRemoteControl, NotEnabled, NotPowered, ProtectiveStop, SoftLimit};
+    let causes = [EmergencyStop, ProtectiveStop, DragMode, NotPowered, NotEnabled, NoRemoteControl, Moving, SoftLimit];
+    let states = [ServoModeState::Off, ServoModeState::OnAlready, ServoModeState::NotEntered, ServoModeState::NotLeft];
+    causes.into_iter().map(Occurrence::from).chain(states.map(Occurrence::from)).collect()
 }
 
 /// Errors of a robot; those that contain others follow.
@@ -137,9 +126,9 @@ fn of_robot() -> Vec<ErrorKind> {
         ErrorKind::Stopped { accepted: vec![], not_sent: vec![command()] },
         ErrorKind::RestNotSeen { first: None, after: TIME },
     ];
-    kinds.extend(explanations().map(|explanation| ErrorKind::NotReady { explanation }));
+    kinds.extend(occurrences().into_iter().map(|occurrence| ErrorKind::NotReady { occurrence }));
     kinds.extend(
-        explanations().map(|explanation| ErrorKind::Refused { refusal: refusal(), explanation: Some(explanation) }),
+        occurrences().into_iter().map(|reason| ErrorKind::Refused { refusal: refusal(), explanation: Some(reason) }),
     );
     kinds.extend(problems().map(|problem| ErrorKind::StatusUnknown { problem }));
     kinds.extend(problems().map(|problem| ErrorKind::WaitEnded { what: what(), problem }));
@@ -152,7 +141,7 @@ fn of_robot() -> Vec<ErrorKind> {
 /// Errors that contain others.
 fn sequences() -> Vec<ErrorKind> {
     let firsts: [fn() -> Error; 3] = [
-        || ErrorKind::NotReady { explanation: Explanation::EmergencyStop }.into(),
+        || ErrorKind::NotReady { occurrence: Cause::EmergencyStop.into() }.into(),
         || ErrorKind::Departed { joint: 3, at_deg: 10.0, off_deg: 2.0 }.into(),
         || ErrorKind::StatusUnknown { problem: StatusProblem::Stale { age: TIME } }.into(),
     ];

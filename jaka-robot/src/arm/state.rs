@@ -17,7 +17,7 @@ use super::trouble::{self, PacketNews, Since};
 #[cfg(all(test, shuttle))]
 use crate::sync::Watched;
 use crate::{
-    Cause, Disconnect, Error, ErrorKind, Explanation, Monitor, MotionStatus, Occurrence, Snapshot, StatusProblem,
+    Cause, Disconnect, Error, ErrorKind, Monitor, MotionStatus, Occurrence, ServoModeState, Snapshot, StatusProblem,
 };
 
 /// Kind of a command that is to be sent to an arm.
@@ -389,8 +389,8 @@ fn is_lost(occurrence: &Occurrence) -> bool {
 pub(crate) fn kept_back(by: Kept) -> Error {
     match by {
         Kept::Stopped => not_acknowledged(Cause::Stopped.into()),
-        Kept::NotAtRest => ErrorKind::NotReady { explanation: Explanation::Moving }.into(),
-        Kept::Led => ErrorKind::NotReady { explanation: Explanation::ServoModeOn }.into(),
+        Kept::NotAtRest => ErrorKind::NotReady { occurrence: Cause::Moving.into() }.into(),
+        Kept::Led => ErrorKind::NotReady { occurrence: ServoModeState::OnAlready.into() }.into(),
     }
 }
 

@@ -103,7 +103,7 @@ pub(super) fn check_braking(newest: &Snapshot) -> Result<(), Error> {
 }
 
 fn not_ready(stop: Stop) -> Error {
-    ErrorKind::NotReady { explanation: stop.explanation() }.into()
+    ErrorKind::NotReady { occurrence: stop.cause().into() }.into()
 }
 
 /// Error for actions that need a known status.

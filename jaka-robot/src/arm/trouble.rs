@@ -2,7 +2,7 @@
 
 use jaka_proto::messages::status::{RobotStatus, TaskState};
 
-use crate::{Cause, ControllerEvent, Explanation, Occurrence, Severity};
+use crate::{Cause, ControllerEvent, Occurrence, Severity};
 
 /// A state in a packet that keeps the arm from moving until it has been acknowledged.
 #[derive(Debug, Clone, Copy)]
@@ -39,14 +39,6 @@ impl Stop {
             Self::Emergency => Cause::EmergencyStop,
             Self::Protective => Cause::ProtectiveStop,
             Self::Drag => Cause::DragMode,
-        }
-    }
-
-    pub(crate) fn explanation(self) -> Explanation {
-        match self {
-            Self::Emergency => Explanation::EmergencyStop,
-            Self::Protective => Explanation::ProtectiveStop,
-            Self::Drag => Explanation::DragMode,
         }
     }
 }

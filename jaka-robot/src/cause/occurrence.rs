@@ -4,12 +4,14 @@ use std::error::Error as StdError;
 use std::fmt;
 use std::sync::Arc;
 
-use jaka_proto::ControllerEvent;
+use jaka_proto::messages::status::RobotStatus;
 use jaka_proto::wire::DecodeError;
+use jaka_proto::{ControllerEvent, ErrorCode, Refusal, Request, Requirement, Severity};
 use jaka_sync::layer::seat_hint;
 
 use super::consequence::Consequence;
 use super::remedy::Remedy;
+use super::servo_mode::ServoModeState;
 use super::table::Cause;
 use super::trip::GuardTrip;
 #[cfg(feature = "serde")]
@@ -48,6 +50,11 @@ pub enum Evidence {
     Trip(Arc<GuardTrip>),
     /// Change of the selected frames, by a status packet.
     Frames(FrameChange),
+    /// State of servo mode, which is not the one that is needed.
+    ServoMode {
+        /// The state.
+        state: ServoModeState,
+    },
     /// End of the command connection. Another client may have taken it over, or the controller has shut down. Nothing
     /// reconnects by itself.
     Commands {
@@ -68,10 +75,9 @@ pub enum Evidence {
     },
 }
 
-impl Evidence {
-    /// Event that explains a refusal; the controller's message belongs to the refusal.
-    pub(crate) fn of_event(event: ControllerEvent) -> Self {
-        Self::Event { code: format!("{:#08x}", event.code()), event: Some(event), message: String::new() }
+impl From<ServoModeState> for Occurrence {
+    fn from(state: ServoModeState) -> Self {
+        Self { cause: Cause::ServoMode, evidence: Evidence::ServoMode { state } }
     }
 }
 
@@ -85,6 +91,33 @@ impl Occurrence {
     /// Occurrence of a cause with its evidence.
     pub fn new(cause: Cause, evidence: Evidence) -> Self {
         Self { cause, evidence }
+    }
+
+    /// Reason of a refusal, by the refusal itself and by the robot's status; `None` if neither shows it.
+    ///
+    /// [`Robot`](crate::Robot) finds it for its motions. The status is the newest one after the refusal.
+    pub fn of_refusal(refusal: &Refusal, status: Option<&RobotStatus>) -> Option<Self> {
+        if refusal.code == ErrorCode::PERMISSION_DENIED {
+            return Some(Cause::NoRemoteControl.into());
+        }
+        let info = Request::COMMANDS.iter().find(|info| info.name == refusal.command)?;
+        let needs = |requirement| info.requires.contains(&requirement);
+        let status = status.filter(|_| needs(Requirement::Powered))?;
+        // An error of a drive ends servo mode.
+        let event = status.event().ok().flatten().filter(|event| event.severity() == Severity::Error);
+        let is_off = refusal.code == ErrorCode::REJECTED && needs(Requirement::ServoMode);
+        let if_so = |is_so: bool, cause: Cause| is_so.then(|| Self::from(cause));
+        let reasons = [
+            if_so(status.emergency_stop == Some(true), Cause::EmergencyStop),
+            if_so(status.powered_on == Some(false), Cause::NotPowered),
+            if_so(status.protective_stop == Some(true), Cause::ProtectiveStop),
+            if_so(status.drag_status == Some(true), Cause::DragMode),
+            if_so(status.enabled == Some(false) && needs(Requirement::Enabled), Cause::NotEnabled),
+            event.map(|event| Self::event(&format!("{:#08x}", event.code()), Some(event), String::new())),
+            is_off.then(|| ServoModeState::Off.into()),
+            if_so(status.on_soft_limit == Some(1), Cause::SoftLimit),
+        ];
+        reasons.into_iter().flatten().next()
     }
 
     pub(crate) fn event(code: &str, event: Option<ControllerEvent>, message: String) -> Self {
@@ -115,18 +148,21 @@ impl Occurrence {
             | Evidence::Event { .. }
             | Evidence::Trip(_)
             | Evidence::Frames(_)
+            | Evidence::ServoMode { .. }
             | Evidence::Status { cause: None, .. } => None,
         }
     }
 
     /// Remedy: the cause's, or the one of the controller's event or of the guard's trip.
-    pub(crate) fn remedy(&self) -> Remedy {
+    pub fn remedy(&self) -> Remedy {
         match &self.evidence {
             Evidence::Trip(trip) => trip.remedy(),
             Evidence::Event { event, .. } => Remedy::for_event(*event),
-            Evidence::None | Evidence::Frames(_) | Evidence::Commands { .. } | Evidence::Status { .. } => {
-                self.cause.remedy()
-            }
+            Evidence::None
+            | Evidence::Frames(_)
+            | Evidence::ServoMode { .. }
+            | Evidence::Commands { .. }
+            | Evidence::Status { .. } => self.cause.remedy(),
         }
     }
 
@@ -137,6 +173,7 @@ impl Occurrence {
             Evidence::None
             | Evidence::Event { .. }
             | Evidence::Frames(_)
+            | Evidence::ServoMode { .. }
             | Evidence::Commands { .. }
             | Evidence::Status { .. } => self.cause.consequence(),
         }
@@ -155,6 +192,7 @@ impl fmt::Display for Occurrence {
             Evidence::Event { event: None, code, message } => format!("{fact}: code {code}: {message}"),
             Evidence::Trip(trip) => format!("{fact}: {trip}"),
             Evidence::Frames(change) => format!("{fact}: {change}"),
+            Evidence::ServoMode { state } => format!("{fact}: {state}"),
             Evidence::Commands { address, cause } => format!("{fact} ({address}{}): {cause}", seat_hint(cause)),
             Evidence::Status { cause: None, unreadable: Some(source) } => format!("{fact}: {source}"),
             Evidence::Status { cause: Some(cause), .. } => format!("{fact}: the status connection ended: {cause}"),

@@ -12,8 +12,7 @@ use super::Error;
 use super::end::{End, Phase};
 use super::line::{Line, STOP_NOT_ACCEPTED, Sequence, with_fact};
 use crate::{
-    Cause, Disconnect, Evidence, Explanation, FrameChange, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy,
-    StatusProblem,
+    Cause, Disconnect, Evidence, FrameChange, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy, StatusProblem,
 };
 
 jaka_proto::worded! {
@@ -54,7 +53,7 @@ jaka_proto::worded! {
             /// The controller's own words.
             refusal: Refusal,
             /// Reason for the refusal of a motion of a [`Robot`](crate::Robot), if the robot's status shows it.
-            explanation: Option<Explanation>,
+            explanation: Option<Occurrence>,
         } => (refused(refusal, explanation.as_ref())),
         /// Status packets do not show a requested fact: an input, a force, the joints. Nothing was sent; a stream or a
         /// trajectory has landed if packets no longer show the joints.
@@ -141,8 +140,8 @@ jaka_proto::worded! {
         /// The state of the robot prevents the action. Nothing that moves the arm was sent.
         NotReady {
             /// State that keeps it from doing so.
-            explanation: Explanation,
-        } => "the robot cannot do this now: {explanation}",
+            occurrence: Occurrence,
+        } => "the robot cannot do this now: {occurrence}",
         /// The controller's answers do not show the arm at rest: a joint turned faster over the last three than
         /// [`RobotConfig::rest_speed`](crate::RobotConfig::rest_speed) allows. Nothing that moves the arm was sent.
         NotAtRest {
@@ -331,9 +330,6 @@ impl ErrorKind {
     /// Cause of the end of a motion, or of its refusal; of several errors in one, the first by precedence.
     pub(super) fn cause(&self) -> Cause {
         match self {
-            Self::Refused { explanation: Some(explanation), .. } | Self::NotReady { explanation } => {
-                explanation.cause()
-            }
             Self::Refused { explanation: None, .. } => Cause::Refused,
             Self::Connection(error) => of_connection(error),
             Self::SetPointsUnanswered { .. } => Cause::Unanswered,
@@ -349,6 +345,8 @@ impl ErrorKind {
             Self::NotAtRest { .. } => Cause::Moving,
             Self::SessionEnded { cause, .. } => *cause,
             Self::NotAcknowledged { occurrence }
+            | Self::NotReady { occurrence }
+            | Self::Refused { explanation: Some(occurrence), .. }
             | Self::RobotState { occurrence }
             | Self::WaitBroken { occurrence, .. } => occurrence.cause,
             Self::Stopped { .. } => Cause::Stopped,
@@ -384,9 +382,8 @@ impl ErrorKind {
     /// Event, beginning with the fact of its cause: for texts that name the commands not sent because of it.
     pub(super) fn event(&self) -> String {
         let text = match self {
-            Self::NotAcknowledged { occurrence } => occurrence.to_string(),
+            Self::NotAcknowledged { occurrence } | Self::NotReady { occurrence } => occurrence.to_string(),
             Self::NotSent { because, .. } => because.kind().event(),
-            Self::NotReady { explanation } => explanation.to_string(),
             Self::StatusUnknown { problem } => problem.to_string(),
             Self::Refused { refusal, .. } => refusal.to_string(),
             kind => kind.to_string(),
@@ -398,10 +395,10 @@ impl ErrorKind {
     pub(super) fn evidence(&self) -> Evidence {
         match self {
             Self::NotAcknowledged { occurrence }
+            | Self::NotReady { occurrence }
+            | Self::Refused { explanation: Some(occurrence), .. }
             | Self::RobotState { occurrence }
             | Self::WaitBroken { occurrence, .. } => occurrence.evidence.clone(),
-            Self::Refused { explanation: Some(Explanation::Event(event)), .. }
-            | Self::NotReady { explanation: Explanation::Event(event) } => Evidence::of_event(*event),
             Self::GuardTripped { trip } => Evidence::Trip(Arc::clone(trip)),
             Self::NotReached { end } => end.evidence().clone(),
             Self::FramesChanged { change } => Evidence::Frames(*change),
@@ -421,6 +418,8 @@ impl ErrorKind {
             Self::NotReached { end } => end.remedy(),
             Self::GuardTripped { trip } => trip.remedy(),
             Self::NotAcknowledged { occurrence }
+            | Self::NotReady { occurrence }
+            | Self::Refused { explanation: Some(occurrence), .. }
             | Self::RobotState { occurrence }
             | Self::WaitBroken { occurrence, .. } => occurrence.remedy(),
             Self::StatusUnknown { problem } | Self::WaitEnded { problem, .. } => problem.remedy().into(),
@@ -431,9 +430,6 @@ impl ErrorKind {
             Self::ServoModeNotLeft { first, leaving } => Sequence::new(first.as_ref(), leaving).remedy(),
             Self::NotLanded { first, landing } => Sequence::new(first, landing).remedy(),
             Self::RestNotSeen { first: Some(first), .. } => first.remedy_of_event(),
-            Self::Refused { explanation: Some(explanation), .. } | Self::NotReady { explanation, .. } => {
-                explanation.remedy()
-            }
             Self::Refused { explanation: None, .. }
             | Self::CommandsLost { .. }
             | Self::SetPointLate { .. }
@@ -573,7 +569,7 @@ fn evidence(error: &jaka_sync::Error) -> Evidence {
     }
 }
 
-fn refused(refusal: &Refusal, explanation: Option<&Explanation>) -> String {
+fn refused(refusal: &Refusal, explanation: Option<&Occurrence>) -> String {
     explanation.map_or_else(|| refusal.to_string(), |explanation| format!("{refusal}; {explanation}"))
 }
 

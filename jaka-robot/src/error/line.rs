@@ -112,7 +112,7 @@ mod tests {
     use std::time::Duration;
 
     use super::*;
-    use crate::{Disconnect, ErrorKind, Explanation, StatusProblem};
+    use crate::{Disconnect, ErrorKind, StatusProblem};
 
     fn lost(command: &str) -> Error {
         let cause = Arc::new(Disconnect::Read(io::ErrorKind::ConnectionReset.into()));
@@ -125,7 +125,7 @@ mod tests {
     }
 
     fn stopped() -> Error {
-        ErrorKind::NotReady { explanation: Explanation::EmergencyStop }.into()
+        ErrorKind::NotReady { occurrence: Cause::EmergencyStop.into() }.into()
     }
 
     #[test]

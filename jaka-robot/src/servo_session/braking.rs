@@ -10,10 +10,9 @@ use crate::{Error, ErrorKind, Evidence};
 pub(super) fn braking_after(error: &Error) -> Braking {
     match error.kind() {
         ErrorKind::NotSent { because, .. } => braking_after(because),
-        ErrorKind::NotAcknowledged { occurrence } | ErrorKind::RobotState { occurrence } => {
-            after_occurrence(occurrence)
-        }
-        ErrorKind::NotReady { explanation } => explanation.cause().braking(),
+        ErrorKind::NotAcknowledged { occurrence }
+        | ErrorKind::NotReady { occurrence }
+        | ErrorKind::RobotState { occurrence } => after_occurrence(occurrence),
         ErrorKind::Connection(error) => after_failure(Failure::of(error)),
         // A refusal may be of one set-point alone: braking does not wait for the packet that says more. And commands
         // pass, whatever the status port does.
@@ -69,6 +68,7 @@ fn after_occurrence(occurrence: &Occurrence) -> Braking {
         Evidence::None
         | Evidence::Event { .. }
         | Evidence::Frames(_)
+        | Evidence::ServoMode { .. }
         | Evidence::Commands { .. }
         | Evidence::Status { .. } => occurrence.cause.braking(),
     }

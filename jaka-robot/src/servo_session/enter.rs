@@ -15,7 +15,7 @@ use super::rates::Rates;
 use super::{LedArm, ServoConfig, ServoSession, SessionConfig};
 use crate::arm::{Arm, Sending};
 use crate::limits::LimitChecks;
-use crate::{Error, Explanation, Report, Rest};
+use crate::{Cause, Error, Report, Rest, ServoModeState};
 
 impl<'r> ServoSession<'r> {
     /// Enters servo mode for set-points that a program gives.
@@ -51,7 +51,7 @@ impl<'r> ServoSession<'r> {
             (arm.link().frame_changes(), arm.under_way(), arm.state.now_on());
         let servo_mode = arm.queries().call(&IsInServomove::new()).map_err(|error| not_sent(error.into()))?;
         if servo_mode.in_servo_mode {
-            return Err(arm.not_ready(Explanation::ServoModeOn));
+            return Err(arm.not_ready(ServoModeState::OnAlready));
         }
         check(arm, limits).map_err(not_sent)?;
         limits.forget_plan();
@@ -132,7 +132,7 @@ impl<'r> ServoSession<'r> {
         let mut pace = Pace::new(self.arm.clock(), CYCLE, Duration::ZERO);
         while !self.arm.client().call(&IsInServomove::new())?.in_servo_mode {
             if since.passed() > timeout {
-                return Err(self.arm.not_ready(Explanation::ServoModeNotEntered));
+                return Err(self.arm.not_ready(ServoModeState::NotEntered));
             }
             pace.wait();
         }
@@ -146,12 +146,12 @@ fn rest(arm: &mut Arm, (has_motions, settling): (bool, Duration), timeout: Durat
     arm.link().check_open(SetServoMode::INFO.name)?;
     arm.check_acknowledged()?;
     if has_motions {
-        return Err(arm.not_ready(Explanation::Moving));
+        return Err(arm.not_ready(Cause::Moving));
     }
     arm.known_status(timeout)?;
     // Packets may be old: the controller says whether it moves.
     let not_sent = |error: Error| error.before(SetServoMode::INFO.name);
     arm.position.wait_for_rest(timeout).map_err(not_sent)?;
     let stays = settling.is_zero() || arm.position.place_still_for(settling, timeout).map_err(not_sent)?.is_some();
-    if stays { Ok(()) } else { Err(arm.not_ready(Explanation::Moving)) }
+    if stays { Ok(()) } else { Err(arm.not_ready(Cause::Moving)) }
 }

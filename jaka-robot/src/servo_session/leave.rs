@@ -16,7 +16,7 @@ use super::land::{BrakingPath, not_seen};
 use super::pace::{CYCLE, Pace};
 use crate::cause::Braking;
 use crate::error::SessionEnd;
-use crate::{Cause, Disconnect, End, Error, ErrorKind, Explanation, Occurrence, Report};
+use crate::{Cause, Disconnect, End, Error, ErrorKind, Occurrence, Report, ServoModeState};
 
 /// Timeout for the last replies, and for the end of servo mode after set-points that were not answered.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -196,7 +196,7 @@ impl ServoSession<'_> {
     /// The command was refused, or was acknowledged and not carried out.
     fn still_in_servo_mode(&mut self, off: &Sent<'_>) -> Error {
         let answer = self.arm.link().poll(off, Duration::ZERO, &mut String::new(), &mut TextOnly);
-        answer.err().map_or_else(|| self.arm.not_ready(Explanation::ServoModeNotLeft), Error::from)
+        answer.err().map_or_else(|| self.arm.not_ready(ServoModeState::NotLeft), Error::from)
     }
 }
 

@@ -11,7 +11,7 @@ use jaka_proto::text::is_visible;
 use jaka_proto::wire::DecodeError;
 use jaka_proto::{ErrorCode, FirmwareVersion, Refusal};
 use jaka_robot::jaka_sync::ErrorKind as Failure;
-use jaka_robot::{Cause, Disconnect, Error, ErrorKind, Evidence, Explanation, Occurrence, Recorder};
+use jaka_robot::{Cause, Disconnect, Error, ErrorKind, Evidence, Occurrence, Recorder};
 use jaka_sim::Fault;
 use jaka_tests::Arm;
 
@@ -41,7 +41,7 @@ fn no_error_shows_a_controller_s_text_raw() {
     let connection = |failure: Failure| ErrorKind::Connection(failure.into());
     let mut kinds = vec![
         ErrorKind::Refused { refusal: refusal(), explanation: None },
-        ErrorKind::Refused { refusal: refusal(), explanation: Some(Explanation::NotPowered) },
+        ErrorKind::Refused { refusal: refusal(), explanation: Some(Cause::NotPowered.into()) },
         connection(Failure::Refused { refusal: refusal() }),
         connection(Failure::Timeout { command: command.clone(), after: Duration::ZERO }),
         connection(Failure::ReplyLost { command: command.clone() }),

@@ -9,7 +9,7 @@ use jaka_proto::{Change, Command, CommandInfo, Effect};
 use jaka_robot::force::StartTorqSensorPayloadIdentify;
 use jaka_robot::motion::{JointMove, MoveL};
 use jaka_robot::types::{MoveMode, Pose};
-use jaka_robot::{Cause, End, ErrorKind, Explanation, Motion, Robot, RobotStop, StatusProblem, Target};
+use jaka_robot::{Cause, End, ErrorKind, Motion, Robot, RobotStop, StatusProblem, Target};
 use jaka_sim::{Delays, Fault, Firmware, SimulatedClock};
 use jaka_tests::simulated::beside;
 use jaka_tests::{Arm, CYCLE, HandFed, LONG, text};
@@ -283,16 +283,16 @@ fn refusals_are_explained() {
         show(&arm);
         // A typed one would be kept back.
         let error = robot.client().call_text(&text(&to(0.0)), LONG).map(drop).expect_err("the controller refuses");
-        robot.explain(&error)
+        robot.explain(&error).map(|reason| reason.cause)
     };
-    assert_eq!(why(|state| state.protective_stop = true), Some(Explanation::ProtectiveStop));
-    assert_eq!(why(|state| state.emergency_stop = true), Some(Explanation::EmergencyStop));
+    assert_eq!(why(|state| state.protective_stop = true), Some(Cause::ProtectiveStop));
+    assert_eq!(why(|state| state.emergency_stop = true), Some(Cause::EmergencyStop));
     let not_enabled = |state: &mut jaka_sim::State| {
         state.emergency_stop = false;
         state.protective_stop = false;
     };
-    assert_eq!(why(not_enabled), Some(Explanation::NotEnabled));
-    assert_eq!(why(|state| state.powered = false), Some(Explanation::NotPowered));
+    assert_eq!(why(not_enabled), Some(Cause::NotEnabled));
+    assert_eq!(why(|state| state.powered = false), Some(Cause::NotPowered));
 }
 
 #[test]

@@ -9,8 +9,8 @@ use jaka_robot::jaka_motion::{Limits, Model};
 use jaka_robot::servo::SetServoMoveFilter;
 use jaka_robot::types::{JointPosition, Pose, Switch};
 use jaka_robot::{
-    Cause, Client, End, Error, ErrorCode, ErrorKind, Explanation, Robot, RobotConfig, ServoConfig, ServoSession,
-    SessionConfig, Unchecked,
+    Cause, Client, End, Error, ErrorCode, ErrorKind, Robot, RobotConfig, ServoConfig, ServoSession, SessionConfig,
+    Unchecked,
 };
 use jaka_sim::Fault;
 use jaka_tests::simulated::beside;
@@ -44,7 +44,10 @@ fn a_session_does_not_begin_where_servo_mode_is_on() {
     let (arm, mut robot) = ready();
     arm.set_state(|state| state.servo_mode = true);
     let error = robot.enter_servo_mode(unchecked()).expect_err("it is on");
-    assert!(matches!(error.kind(), ErrorKind::NotReady { explanation: Explanation::ServoModeOn }), "{error}");
+    assert!(
+        matches!(error.kind(), ErrorKind::NotReady { occurrence } if occurrence.cause == Cause::ServoMode),
+        "{error}"
+    );
     assert!(arm.state().servo_mode, "what another program needs is left as it is");
     assert!(!arm.requests().iter().any(|request| request.contains("servo_move")), "nothing was sent to change it");
     robot.client().set_servo_mode(Switch::Off).expect("it is left");

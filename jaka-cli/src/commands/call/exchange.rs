@@ -1,7 +1,7 @@
 //! Sending of a request, and output of its reply.
 
 use jaka_dynamic::{Departure, Node, Reading, not_in_firmware};
-use jaka_robot::Explanation;
+use jaka_robot::Occurrence;
 use jaka_robot::proto::text::visible_json_line;
 use jaka_spec::Spec;
 use jaka_sync::{Client, Disconnect, Error, ErrorKind};
@@ -119,7 +119,7 @@ pub(super) fn explained(spec: &Spec, target: &Target, error: impl Into<jaka_robo
     if let Failure::Refused { refusal, explanation, .. } = &mut failure {
         // Without a status, the refusal has no explanation.
         let status = target.status::<PackedStatus>().ok();
-        *explanation = Explanation::of(refusal, status.as_ref()).map(Box::new);
+        *explanation = Occurrence::of_refusal(refusal, status.as_ref()).map(Box::new);
     }
     failure
 }

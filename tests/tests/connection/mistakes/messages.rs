@@ -6,7 +6,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use jaka_robot::{
-    Cause, Client, Disconnect, Error, ErrorKind, Evidence, Explanation, Monitor, Occurrence, Remedy, Robot, ServoConfig,
+    Cause, Client, Disconnect, Error, ErrorKind, Evidence, Monitor, Occurrence, Remedy, Robot, ServoConfig,
+    ServoModeState,
 };
 use jaka_sim::{Fault, StatusFault};
 use jaka_tests::{Arm, LONG};
@@ -62,8 +63,8 @@ fn of_the_state() -> Vec<String> {
     let denied = refusal(robot.run(&turn(5.0, 5.0), LONG));
     controller.press_emergency_stop();
     let mut stopped = controller.robot();
-    let soft_limit = ErrorKind::NotReady { explanation: Explanation::SoftLimit };
-    let not_entered = ErrorKind::NotReady { explanation: Explanation::ServoModeNotEntered };
+    let soft_limit = ErrorKind::NotReady { occurrence: Cause::SoftLimit.into() };
+    let not_entered = ErrorKind::NotReady { occurrence: ServoModeState::NotEntered.into() };
     let says = Some("powered, not enabled".to_owned());
     let within = Duration::from_millis(200);
     let moves = ErrorKind::NotAtRest { joint: 1, by_deg: 9.4, within, speed: 47.0, rest_speed: 0.5 };
@@ -78,7 +79,7 @@ fn of_the_state() -> Vec<String> {
         kind(soft_limit),
         Occurrence::from(Cause::SoftLimit).to_string(),
         kind(ErrorKind::NotAcknowledged { occurrence: Cause::DragMode.into() }),
-        kind(ErrorKind::NotReady { explanation: Explanation::DragMode }),
+        kind(ErrorKind::NotReady { occurrence: Cause::DragMode.into() }),
         kind(not_entered),
         kind(moving),
         refusal(asked.run(&turn(5.0, 5.0), LONG)),
