@@ -9,10 +9,7 @@
 //! A thread that holds a lock of its layer must not use a connection, unless the lock is taken before that of the
 //! connection (`Link`). A gate runs under the lock of the connection.
 
-use std::sync::Arc;
-
 pub use jaka_proto::exchange::Owner;
-use jaka_proto::wire::DecodeError;
 
 #[cfg(doc)]
 use crate::Monitor;
@@ -29,7 +26,7 @@ pub use crate::motion_status::{needed, told};
 pub use crate::on_drop::OnDrop;
 pub use crate::stop::{StopParts, WrittenStop};
 pub use crate::sync::Watched;
-use crate::{Disconnect, Error, ErrorKind, StatusProblem};
+use crate::{Disconnect, Error, ErrorKind};
 
 /// Failure behind an [`Error`], as a closed choice: each kind of error belongs to one of these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,31 +69,6 @@ impl Failure {
             | ErrorKind::StatusTimeout { .. }
             | ErrorKind::UnexpectedStatus { .. } => Self::StatusLost,
             ErrorKind::StateTimeout { .. } => Self::NotInState,
-        }
-    }
-}
-
-/// Loss of the status behind a [`StatusProblem`], as a closed choice: each problem belongs to one of these.
-#[derive(Debug, Clone, Copy)]
-pub enum StatusLoss<'p> {
-    /// No packet comes, or none that counts.
-    Silence,
-    /// Packets come that cannot be read.
-    Unreadable(&'p DecodeError),
-    /// The status connection has ended for good.
-    Ended(&'p Arc<Disconnect>),
-}
-
-impl<'p> StatusLoss<'p> {
-    /// Loss behind a problem.
-    pub fn of(problem: &'p StatusProblem) -> Self {
-        match problem {
-            StatusProblem::Ended { cause } => Self::Ended(cause),
-            StatusProblem::Unreadable { source } => Self::Unreadable(source),
-            StatusProblem::Missing { .. }
-            | StatusProblem::Stale { .. }
-            | StatusProblem::Resuming
-            | StatusProblem::Reconnecting => Self::Silence,
         }
     }
 }

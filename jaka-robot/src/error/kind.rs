@@ -11,9 +11,7 @@ use jaka_sync::layer::{Failure, seat_hint};
 use super::Error;
 use super::end::{End, Phase};
 use super::line::{Line, STOP_NOT_ACCEPTED, Sequence, with_fact};
-use crate::{
-    Cause, Disconnect, Evidence, FrameChange, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy, StatusProblem,
-};
+use crate::{Cause, Disconnect, Evidence, GuardTrip, NotGuarded, NotShown, Occurrence, Remedy, StatusProblem};
 
 jaka_proto::worded! {
     /// Kind of an error, by the possible actions of the caller: see [`Error::kind`].
@@ -115,13 +113,6 @@ jaka_proto::worded! {
             /// Trip, with its condition, its packet and its consequences.
             trip: Arc<GuardTrip>,
         } => (with_fact(trip.cause(), trip.to_string())),
-        /// Status packets show another tool frame or user frame than at the start, and the set-points depend on them: a
-        /// stream or a trajectory has landed, and a servo session, too, unless the joint positions of its last poses
-        /// are not known ([`NotLanded`](Self::NotLanded)).
-        FramesChanged {
-            /// Frames at the start, and those in the packet.
-            change: FrameChange,
-        } => (with_fact(Cause::FramesChanged, change.to_string())),
         /// A motion under a guard failed, of which it is not known whether it runs, and the stop that followed was not
         /// accepted: the arm may move, and nobody judges the guard.
         NotStopped {
@@ -247,8 +238,10 @@ jaka_proto::worded! {
             occurrence: Occurrence,
         } => "not sent: {occurrence}",
         /// Status packets show a state of the robot that ends set-points: no power, an arm that is not enabled, an
-        /// error of the controller or a soft limit. The servo session, the stream or the trajectory has landed, as far
-        /// as the controller followed set-points.
+        /// error of the controller, a soft limit, or another tool frame or user frame than at the start where the
+        /// set-points depend on them. The servo session, the stream or the trajectory has landed, as far as the
+        /// controller followed set-points and, of poses in a changed frame, as far as their joint positions are known
+        /// ([`NotLanded`](Self::NotLanded)).
         RobotState {
             /// State, with the evidence for it.
             occurrence: Occurrence,
@@ -362,7 +355,6 @@ impl ErrorKind {
             Self::BeyondLimit { .. } | Self::NotChecked { .. } | Self::Trajectory { .. } => Cause::BeyondLimit,
             Self::NotAtStart { .. } => Cause::NotAtStart,
             Self::Departed { .. } => Cause::Departed,
-            Self::FramesChanged { .. } => Cause::FramesChanged,
         }
     }
 
@@ -401,7 +393,6 @@ impl ErrorKind {
             | Self::WaitBroken { occurrence, .. } => occurrence.evidence.clone(),
             Self::GuardTripped { trip } => Evidence::Trip(Arc::clone(trip)),
             Self::NotReached { end } => end.evidence().clone(),
-            Self::FramesChanged { change } => Evidence::Frames(*change),
             Self::Connection(error) => evidence(error),
             Self::NotSent { because, .. } => because.kind().evidence(),
             Self::RestNotSeen { first: Some(first), .. }
@@ -435,7 +426,6 @@ impl ErrorKind {
             | Self::SetPointLate { .. }
             | Self::SetPointsUnanswered { .. }
             | Self::Departed { .. }
-            | Self::FramesChanged { .. }
             | Self::NotAtStart { .. }
             | Self::Stopped { .. }
             | Self::RestNotSeen { first: None, .. } => self.cause().remedy(),
@@ -508,7 +498,6 @@ impl ErrorKind {
             | Self::NotGuarded { .. }
             | Self::NotAtStart { .. }
             | Self::Departed { .. }
-            | Self::FramesChanged { .. }
             | Self::BeyondLimit { .. }
             | Self::NotChecked { .. }
             | Self::Stopped { .. } => other,

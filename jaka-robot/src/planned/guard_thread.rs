@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use jaka_sync::layer::{OnDrop, StatusLoss};
+use jaka_sync::layer::OnDrop;
 
 use crate::arm::{Arm, ArmState, Sent};
 use crate::cause::Occurrence;
@@ -114,11 +114,9 @@ impl Stopped {
 
 /// End of a motion with an unknown status.
 pub(super) fn lost(problem: &StatusProblem) -> Occurrence {
-    match StatusLoss::of(problem) {
-        StatusLoss::Ended(cause) => Occurrence::status_lost(Some(Arc::clone(cause)), None),
-        StatusLoss::Unreadable(source) => Occurrence::status_lost(None, Some(source.clone())),
-        StatusLoss::Silence => Occurrence::status_lost(None, None),
-    }
+    let cause = if let StatusProblem::Ended { cause } = problem { Some(Arc::clone(cause)) } else { None };
+    let unreadable = if let StatusProblem::Unreadable { source } = problem { Some(source.clone()) } else { None };
+    Occurrence::status_lost(cause, unreadable)
 }
 
 #[cfg(test)]

@@ -25,7 +25,6 @@ pub(super) fn braking_after(error: &Error) -> Braking {
         | ErrorKind::WaitEnded { .. }
         | ErrorKind::WaitBroken { .. }
         | ErrorKind::NotGuarded { .. }
-        | ErrorKind::FramesChanged { .. }
         | ErrorKind::PortInAddress { .. }
         | ErrorKind::HasRobot
         | ErrorKind::BeyondLimit { .. }

@@ -155,8 +155,8 @@ impl ServoSession<'_> {
     /// - `ErrorKind::BeyondLimit`, `ErrorKind::NotChecked`: the robot has limits. The set-point was not sent.
     /// - [`ErrorKind::SetPointLate`]: the set-point is late by three periods or more, in the middle of a motion. It was
     ///   not sent, and nothing braked the arm.
-    /// - [`ErrorKind::FramesChanged`]: the robot has limits that depend on the selected frames. The set-point was not
-    ///   sent.
+    /// - [`ErrorKind::RobotState`] with [`Cause::FramesChanged`]: the robot has limits that depend on the selected
+    ///   frames. The set-point was not sent.
     /// - [`ErrorKind::Refused`]: the controller has refused an earlier set-point.
     /// - [`ErrorKind::NotAcknowledged`], [`ErrorKind::NotReady`]: a stop, or drag mode.
     /// - [`ErrorKind::RobotState`]: packets, or the controller's answer after a refusal, show no power, an arm that is
@@ -182,7 +182,7 @@ impl ServoSession<'_> {
     /// compared with the set-point before if that is a pose, too, or the first, and the robot has no limits.
     ///
     /// Once status packets show another tool frame or user frame than at the start, no pose is sent any more: the call
-    /// fails with [`ErrorKind::FramesChanged`]. With limits the arm is braked in joints. Without, the joint positions
+    /// fails with [`Cause::FramesChanged`]. With limits the arm is braked in joints. Without, the joint positions
     /// are not known, nothing brakes the arm, and the error is [`ErrorKind::NotLanded`].
     ///
     /// # Errors
@@ -280,7 +280,9 @@ impl ServoSession<'_> {
 
     /// Fails if other frames are selected than at the start.
     pub(super) fn check_frames(&mut self) -> Result<(), Error> {
-        self.under_way.change().map_or(Ok(()), |change| Err(ErrorKind::FramesChanged { change }.into()))
+        self.under_way.change().map_or(Ok(()), |change| {
+            Err(ErrorKind::RobotState { occurrence: Occurrence::frames_changed(change) }.into())
+        })
     }
 
     /// Counts a set-point that went out so late, and the gap before it unless its cycle has begun after one.

@@ -39,7 +39,7 @@ impl StreamHandle {
     /// tool does **not** move on a straight line.
     ///
     /// Poses are in the tool and user frame that were selected when the stream began. Once status packets show another
-    /// one, the stream lands, with [`ErrorKind::FramesChanged`](crate::ErrorKind::FramesChanged).
+    /// one, the stream lands, with [`Cause::FramesChanged`](crate::Cause::FramesChanged).
     ///
     /// # Errors
     /// As [`set_joints`](Self::set_joints); also if only another branch reaches the pose.

@@ -287,7 +287,7 @@ fn another_frame_ends_what_depends_on_it_by_one_cause_and_nothing_else() {
                     Ok(end) => (end.cause(), end.to_string(), end.rest.was_seen()),
                     // One that did not land would tell of it.
                     Err(error) => {
-                        (error.cause(), error.to_string(), matches!(error.kind(), ErrorKind::FramesChanged { .. }))
+                        (error.cause(), error.to_string(), matches!(error.kind(), ErrorKind::RobotState { .. }))
                     }
                 };
                 assert_eq!(cause, Cause::FramesChanged, "{what}: {text}");
