@@ -28,6 +28,6 @@ pub use jaka_proto::check::AdvisoryRanges;
 pub use motion::{RequestedMotion, command_info, motion};
 pub use problem::{Problem, ProblemKind};
 pub use sample::{complete_reply, sample_reply, sample_value};
-pub use translation::{Lost, Message, Translated, Translation, counterpart};
+pub use translation::{Message, Translated, Translation, counterpart};
 pub use tree::{Label, Node, notation};
 pub use value::value;

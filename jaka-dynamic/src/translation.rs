@@ -31,19 +31,10 @@ pub enum Message<'m> {
 pub struct Translated {
     /// Members by the keys of the second spec.
     pub members: Map<String, Value>,
-    /// Fields without a translation of their value, which are left out.
-    pub lost: Vec<Lost>,
+    /// Names in Rust, by the second spec, of fields whose values have no translation, which are left out.
+    pub lost: Vec<String>,
     /// Names in Rust of fields that the second spec does not have, which are left out.
     pub unknown: Vec<String>,
-}
-
-/// Field whose value has no translation.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Lost {
-    /// Name in Rust of the field in the second spec.
-    pub name: String,
-    /// Value in the message.
-    pub value: Value,
 }
 
 impl<'s> Translation<'s> {
@@ -124,7 +115,7 @@ impl<'s> Translation<'s> {
             };
             match self.field(field, other, value) {
                 Some(value) => drop(translated.members.insert(other.wire.clone(), value)),
-                None => translated.lost.push(Lost { name: other.name.clone(), value: value.clone() }),
+                None => translated.lost.push(other.name.clone()),
             }
         }
         translated

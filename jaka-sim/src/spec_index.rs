@@ -115,7 +115,7 @@ impl SpecIndex {
         let Some(base) = &self.base else { return Ok(Cow::Borrowed(text)) };
         let translated = Translation::new(&self.spec, &base.spec).message(Message::Request(&name), &members);
         match translated.lost.into_iter().next() {
-            Some(lost) => Err(lost.name),
+            Some(name) => Err(name),
             None => Ok(Cow::Owned(Value::from(translated.members).to_string())),
         }
     }
