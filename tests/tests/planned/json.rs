@@ -10,7 +10,7 @@ use jaka_robot::jaka_motion::{Limits, Model, TimedPoint, Trajectory};
 use jaka_robot::motion::JointMove;
 use jaka_robot::{
     Cause, CauseGroup, Disconnect, Error, ErrorKind, Evidence, FollowConfig, MotionExt as _, NotShown, Numbering,
-    Phase, RobotConfig, TripReason,
+    Phase, RobotConfig, ServoModeState, TripReason,
 };
 use jaka_tests::simulated::{beside, until};
 use jaka_tests::{Arm, Configured as _, LONG};
@@ -154,6 +154,7 @@ fn evidence_is_an_object_of_its_kind() {
         Evidence::None,
         Evidence::Event { code: "0x0F0030".to_owned(), event, message: "joint 1".to_owned() },
         Evidence::Event { code: "odd".to_owned(), event: None, message: String::new() },
+        Evidence::ServoMode { state: ServoModeState::OnAlready },
         Evidence::Commands { address: "arm:10001".to_owned(), cause: cause() },
         Evidence::Status { cause: Some(cause()), unreadable: None },
         Evidence::Status { cause: None, unreadable: Some(unfit.clone()) },
@@ -163,6 +164,7 @@ fn evidence_is_an_object_of_its_kind() {
         {"kind":"none"}
         {"kind":"event","code":"0x0F0030","event":{"severity":"error","meaning":"the joint speed limit is set to 0"},"message":"joint 1"}
         {"kind":"event","code":"odd","event":null,"message":""}
+        {"kind":"servo_mode","state":"on_already"}
         {"kind":"commands","address":"arm:10001","cause":"the controller closed the connection"}
         {"kind":"status","cause":"the controller closed the connection","unreadable":null}
         {"kind":"status","cause":null,"unreadable":"field `din`: expected a number, found `a`"}
