@@ -11,7 +11,7 @@ use jaka_spec::{BUILTIN, NEEDED_FIELDS, Source, load, load_pack};
 use jaka_tests::{Arm, ArmBuilder, LONG};
 use serde_json::json;
 
-use crate::program::{Run, address_of, command, run, scratch};
+use crate::program::{Run, address_of, command, run, scratch, words};
 
 jaka_robot::pack!("tests/guide/newer.toml");
 
@@ -51,20 +51,13 @@ fn steps() -> Vec<Step> {
     let mut steps: Vec<Step> = Vec::new();
     for line in blocks("text").into_iter().flat_map(str::lines) {
         match line.strip_prefix("$ jaka ") {
-            Some(command) => steps.push(Step { words: words(command), shown: Vec::new() }),
+            Some(command) => {
+                steps.push(Step { words: words(command).into_iter().map(str::to_owned).collect(), shown: Vec::new() });
+            }
             None => steps.last_mut().expect("a command comes first").shown.push(line),
         }
     }
     steps
-}
-
-/// The words of a command line; those between single quotes are one.
-fn words(line: &str) -> Vec<String> {
-    let parts = line.split('\'').enumerate();
-    let words = parts.flat_map(|(at, part)| {
-        if at % 2 == 1 { vec![part.to_owned()] } else { part.split_whitespace().map(str::to_owned).collect() }
-    });
-    words.collect()
 }
 
 /// Runs a step in a folder, with the controller in place of the guide's.

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use expect_test::expect_file;
 
-use crate::program::{command, jaka, run};
+use crate::program::{command, jaka, run, words};
 
 /// Runs the lines of a transcript by `printed`, and compares the file. Compares nothing if a line cannot be run.
 pub(crate) fn check(name: &str, printed: impl Fn(&str) -> Option<String>) {
@@ -39,9 +39,7 @@ pub(crate) fn recording(name: &str) -> String {
 
 /// Output of the program for these words, which quotes hold together as in a shell.
 fn printed(line: &str) -> String {
-    let parts = line.split('\'').enumerate();
-    let words = parts.flat_map(|(at, part)| if at % 2 == 1 { vec![part] } else { part.split_whitespace().collect() });
-    let mut command = command(words);
+    let mut command = command(words(line));
     command.current_dir(folder());
     run(command, "").text()
 }

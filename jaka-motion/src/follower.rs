@@ -39,7 +39,7 @@ pub struct Follower {
     checker: Checker,
     period_s: f64,
     scale: f64,
-    /// Whether the rate changes within the accelerations of stops, and not of motions.
+    /// True if the rate changes within the accelerations of stops, and not of motions.
     brakes: bool,
     state: State,
     /// State at the previous set-point.

@@ -16,9 +16,9 @@ use std::sync::{Arc, Weak};
 use std::time::Duration;
 
 use jaka_clock::Clock;
+use jaka_proto::Refusal;
 use jaka_proto::messages::power::{GetRobotState, GetRobotStateReply};
 use jaka_proto::messages::status::RobotStatus;
-use jaka_proto::{ErrorCode, Refusal};
 use jaka_sync::layer::{AttachedRobot, ClientParts as _, Leading, Link, Owner, Stops, told};
 
 pub(crate) use self::guards::{GuardProgress, PacketObserver};
@@ -35,8 +35,7 @@ pub(crate) use self::trouble::{Since, Stop, lost, stop};
 use crate::error::Attach as _;
 use crate::under_way::UnderWay;
 use crate::{
-    Cause, Client, Command, Disconnect, Error, ErrorKind, Monitor, MonitorStatistics, MotionStatus, Occurrence,
-    Snapshot,
+    Client, Command, Disconnect, Error, ErrorKind, Monitor, MonitorStatistics, MotionStatus, Occurrence, Snapshot,
 };
 
 /// Monitor of an arm, for any type of its status.
@@ -325,8 +324,8 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Reason for a refusal, as far as the state of the arm shows it.
 fn explain(arm: &mut Arm, refusal: &Refusal, timeout: Duration) -> Option<Occurrence> {
-    if refusal.code == ErrorCode::PERMISSION_DENIED {
-        return Some(Cause::NoRemoteControl.into());
+    if let Some(reason) = Occurrence::of_refusal(refusal, None) {
+        return Some(reason);
     }
     let mut status = arm.state.fresh_packet().map(|newest| newest.status.clone()).unwrap_or_default();
     let state = arm.queries().call_within(&GetRobotState::new(), PATIENCE.min(timeout));

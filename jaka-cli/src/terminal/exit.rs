@@ -3,7 +3,7 @@
 
 use std::process::ExitCode;
 
-use jaka_robot::{Error, ErrorKind};
+use jaka_robot::{Cause, Error, ErrorKind};
 use jaka_spec::tools::Impact;
 
 use crate::failure::command_line;
@@ -17,7 +17,7 @@ pub(crate) const USAGE: u8 = 2;
 /// Code for a failed connection; nothing was sent.
 pub(crate) const NO_CONNECTION: u8 = 3;
 /// Code for a command that may have run.
-pub(crate) const MAY_HAVE_RUN: u8 = 4;
+pub(crate) const MAY_HAVE_RUN: u8 = Cause::Unanswered.exit_code();
 /// Code for a lost or unreadable connection without an outstanding command.
 pub(crate) const LOST: u8 = 5;
 /// Code for a failure on this machine.
@@ -33,9 +33,9 @@ pub(crate) const WRONG: u8 = 9;
 
 /// Code for a motion that the robot's state or a limit forbids, or with an unknown state; nothing that moves the arm
 /// was sent.
-pub(crate) const NOT_MOVED: u8 = 20;
+pub(crate) const NOT_MOVED: u8 = Cause::Moving.exit_code();
 /// Code for a wait that ended with its timeout. After a wait for the end of a motion, the arm may still move.
-pub(crate) const DEADLINE: u8 = 27;
+pub(crate) const DEADLINE: u8 = Cause::Deadline.exit_code();
 /// Code for a stop by Ctrl-C or `jaka stop` after which the arm may still move: the controller did not accept it, or
 /// its acceptance is unknown, or the arm was not seen at rest.
 pub(crate) const NOT_STOPPED: u8 = 29;

@@ -11,7 +11,7 @@ pub(crate) enum Consequence {
     LatchedMayMove,
     /// As [`Stops`](Self::Stops), and no motion is sent before somebody has acknowledged that.
     LatchedStops,
-    /// They are not waited for any more, and the arm may still move.
+    /// They are not waited for any more, and the arm may still move. Also of causes that never end this wait.
     MayMove,
     /// They are not waited for any more, and the arm is stopped.
     Stops,

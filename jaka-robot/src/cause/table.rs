@@ -76,7 +76,7 @@ macro_rules! causes {
             }
 
             /// Exit code of `jaka` for a motion that ends by it, which a program can use as well.
-            pub fn exit_code(self) -> u8 {
+            pub const fn exit_code(self) -> u8 {
                 match self { $(Self::$variant => $code,)+ }
             }
 

@@ -29,11 +29,12 @@ pub(crate) fn with_dependencies(folder: &str) -> BTreeSet<&'static str> {
 /// Modules, and for each the modules beside it that it or a module below it uses.
 type Graph = BTreeMap<String, BTreeSet<String>>;
 
-fn workspace() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+/// The project's folder.
+pub(crate) fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is in a workspace")
 }
 
-fn text(path: &Path) -> String {
+pub(crate) fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
@@ -54,7 +55,7 @@ fn dependencies(manifest: &str) -> BTreeSet<&str> {
 #[test]
 fn no_crate_depends_upward() {
     for (place, (folder, allowed)) in CRATES.iter().enumerate() {
-        let manifest = text(&workspace().join(folder).join("Cargo.toml"));
+        let manifest = read(&root().join(folder).join("Cargo.toml"));
         let found = dependencies(&manifest);
         assert_eq!(found, allowed.iter().copied().collect(), "{folder}");
         let below =
@@ -97,9 +98,9 @@ pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
 #[test]
 fn libraries_that_are_not_compiled_for_tests_have_none() {
     for folder in ["jaka-clock", "tests/pack-user", "tests/fuzz-targets"] {
-        let folder = workspace().join(folder);
-        assert!(text(&folder.join("Cargo.toml")).contains("[lib]\ntest = false\n"), "{}", folder.display());
-        let with_tests = sources(&folder.join("src")).into_iter().find(|path| text(path).contains("#[test]"));
+        let folder = root().join(folder);
+        assert!(read(&folder.join("Cargo.toml")).contains("[lib]\ntest = false\n"), "{}", folder.display());
+        let with_tests = sources(&folder.join("src")).into_iter().find(|path| read(path).contains("#[test]"));
         assert_eq!(with_tests, None);
     }
 }
@@ -239,7 +240,7 @@ fn modules(folder: &Path) -> BTreeMap<String, String> {
         let name = name.to_str()?.replace('/', "::");
         Some(if name == "lib" || name == "main" { String::new() } else { name })
     };
-    sources(folder).iter().map(|file| (path(file).expect("it is in the folder"), code(&text(file)))).collect()
+    sources(folder).iter().map(|file| (path(file).expect("it is in the folder"), code(&read(file)))).collect()
 }
 
 /// Modules that are reachable from a module, by any number of arrows.
@@ -268,7 +269,7 @@ fn circles(graph: &Graph) -> BTreeSet<Vec<&str>> {
 fn no_modules_stand_on_one_another_in_a_circle() {
     let folders = CRATES.iter().map(|(folder, _)| format!("{folder}/src"));
     for folder in folders.chain(["benches/src".to_owned()]) {
-        let graph = graph(&modules(&workspace().join(&folder)));
+        let graph = graph(&modules(&root().join(&folder)));
         assert!(!graph.is_empty(), "{folder} was read");
         assert_eq!(circles(&graph), BTreeSet::new(), "{folder}");
     }
@@ -290,8 +291,8 @@ const BY_THE_SYSTEM: &[&str] = &[
 #[test]
 fn time_goes_through_one_clock() {
     for folder in ["jaka-sync", "jaka-robot", "jaka-sim"] {
-        for file in sources(&workspace().join(folder).join("src")) {
-            let code = code(&text(&file));
+        for file in sources(&root().join(folder).join("src")) {
+            let code = code(&read(&file));
             let found = SYSTEM_TIME.iter().find(|reads| code.contains(**reads));
             let allowed = BY_THE_SYSTEM.iter().any(|name| file.ends_with(name));
             assert!(found.is_none() || allowed, "{}: {found:?} in place of the clock", file.display());
@@ -301,7 +302,7 @@ fn time_goes_through_one_clock() {
 
 /// The fields of `Config`: a getter keeps the compiler from telling of one that nothing applies.
 fn options() -> Vec<String> {
-    let config = text(&workspace().join("jaka-sync/src/config.rs"));
+    let config = read(&root().join("jaka-sync/src/config.rs"));
     let (_, fields) = config.split_once("pub struct Config {").expect("it is there");
     let (fields, _) = fields.split_once("\n}").expect("it ends");
     let fields = fields.lines().filter(|line| !line.trim_start().starts_with('#'));
@@ -310,9 +311,9 @@ fn options() -> Vec<String> {
 
 #[test]
 fn every_option_of_the_config_is_applied() {
-    let files = sources(&workspace().join("jaka-sync/src"));
+    let files = sources(&root().join("jaka-sync/src"));
     let others: Vec<_> = files.iter().filter(|file| !file.ends_with("config.rs")).collect();
-    let codes: Vec<_> = others.iter().map(|file| code(&text(file))).collect();
+    let codes: Vec<_> = others.iter().map(|file| code(&read(file))).collect();
     let options = options();
     assert!(options.len() >= 10, "{options:?}");
     for option in options {
@@ -359,9 +360,9 @@ const TEXTS_ELSEWHERE: &[&str] = &[
 fn the_text_of_a_variant_stands_next_to_it() {
     let mut found = BTreeSet::new();
     for (folder, _) in CRATES {
-        for path in sources(&workspace().join(folder).join("src")) {
+        for path in sources(&root().join(folder).join("src")) {
             let (code, path) =
-                (code(&text(&path)), path.strip_prefix(workspace()).expect("it is in it").display().to_string());
+                (code(&read(&path)), path.strip_prefix(root()).expect("it is in it").display().to_string());
             assert!(!code.contains("thiserror"), "{path}");
             for implementation in code.split("Display for ").skip(1) {
                 let (name, rest) = implementation.split_once(" {").expect("a body follows");
@@ -386,10 +387,10 @@ fn named_files(page: &str) -> impl Iterator<Item = &str> {
 fn source_files_that_the_pages_name_exist() {
     let mut files = Vec::new();
     for folder in CRATES.iter().map(|(folder, _)| *folder).chain(["tests", "benches", "fuzz"]) {
-        files.extend(all_sources(&workspace().join(folder)));
+        files.extend(all_sources(&root().join(folder)));
     }
     for page in ["ARCHITECTURE.md", "CONTRIBUTING.md"] {
-        let text = text(&workspace().join(page));
+        let text = read(&root().join(page));
         assert!(named_files(&text).count() > 20, "{page} names files");
         let missing: Vec<_> =
             named_files(&text).filter(|name| !files.iter().any(|file| file.ends_with(name))).collect();

@@ -1,12 +1,10 @@
 //! Commands that sources name, where the spec could say what they mean: roles, changes and motions are data.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::Path;
 
 use jaka_tests::spec;
 
-use crate::architecture::{code, sources};
+use crate::architecture::{code, read, root, sources};
 
 /// Files that name commands other than by a typed call, with the reason.
 const NAMED: &[(&str, &str, &str)] = &[
@@ -66,10 +64,9 @@ fn named() -> BTreeMap<String, BTreeSet<String>> {
     let spec = spec();
     let mut found = BTreeMap::new();
     for folder in CRATES {
-        let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
-        let files = sources(&root.join(folder).join("src"));
+        let files = sources(&root().join(folder).join("src"));
         for file in files.iter().filter(|file| !file.ends_with("interleavings.rs")) {
-            let code = code(&fs::read_to_string(file).expect("a source can be read"));
+            let code = code(&read(file));
             let code: String = code.lines().filter(|line| !line.trim_start().starts_with("#[doc(alias")).collect();
             let is_in = |command: &&jaka_spec::Command| {
                 let ty = command.request_type();
@@ -79,7 +76,7 @@ fn named() -> BTreeMap<String, BTreeSet<String>> {
             };
             let commands: BTreeSet<_> = spec.commands().filter(is_in).map(|command| command.wire.clone()).collect();
             if !commands.is_empty() {
-                let path = file.strip_prefix(root).expect("it is below").display().to_string().replace('\\', "/");
+                let path = file.strip_prefix(root()).expect("it is below").display().to_string().replace('\\', "/");
                 found.insert(path, commands);
             }
         }

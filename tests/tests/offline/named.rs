@@ -2,29 +2,11 @@
 //! and blocks of code that nothing compiles.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use jaka_tests::spec;
 
-use crate::architecture::{all_files, code, is_word, tokens};
-
-fn root() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-}
-
-fn read(path: &Path) -> String {
-    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
-
-/// The files of ours with this extension, without what is built.
-fn files(extension: &str) -> Vec<PathBuf> {
-    let entries = fs::read_dir(root()).expect("it is there").map(|entry| entry.expect("it can be read").path());
-    let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
-    let ours = folders.iter().filter(|path| ![".git", "target"].iter().any(|name| path.ends_with(name)));
-    let of_root = files.into_iter().filter(|path| path.extension().is_some_and(|own| own == extension));
-    of_root.chain(ours.flat_map(|folder| all_files(folder, extension))).collect()
-}
+use crate::architecture::{all_files, code, is_word, read, root, tokens};
 
 /// Members of types by the types' names: functions, constants, variants and fields.
 type Members = BTreeMap<String, BTreeSet<String>>;
@@ -88,7 +70,7 @@ fn declare(text: &str, members: &mut Members) {
 
 fn members() -> Members {
     let mut members = Members::new();
-    for path in files("rs") {
+    for path in all_files(root(), "rs") {
         declare(&read(&path), &mut members);
     }
     members.entry("Client".to_owned()).or_default().extend(spec().commands().map(|command| command.name.clone()));
@@ -128,7 +110,7 @@ fn prose(path: &Path) -> String {
 fn each_member_that_a_code_span_names_is_there() {
     let members = members();
     let (mut count, mut dead) = (0, BTreeSet::new());
-    for path in files("md").into_iter().chain(files("rs")) {
+    for path in all_files(root(), "md").into_iter().chain(all_files(root(), "rs")) {
         for line in prose(&path).lines() {
             for (of, member) in spans(line).into_iter().filter_map(named) {
                 count += 1;
@@ -168,7 +150,7 @@ fn each_test_that_writes_is_there() {
     let names: Vec<_> = list.split(')').next().unwrap_or_default().split_whitespace().collect();
     assert!(names.len() > 10, "{names:?}");
     // The file of a test ends with the last module of its name.
-    let tests: Vec<_> = files("rs").into_iter().map(|path| (read(&path), path)).collect();
+    let tests: Vec<_> = all_files(root(), "rs").into_iter().map(|path| (read(&path), path)).collect();
     for name in names {
         let mut words = name.rsplit("::");
         let (function, module) = (words.next().unwrap_or(name), words.next().unwrap_or(name));
@@ -182,7 +164,7 @@ fn each_test_that_writes_is_there() {
 #[test]
 fn each_block_of_rust_is_compiled() {
     let comment = |line: &str| line.trim_start().trim_start_matches(['/', '!']).trim_start().to_owned();
-    for path in files("md").into_iter().chain(files("rs")) {
+    for path in all_files(root(), "md").into_iter().chain(all_files(root(), "rs")) {
         let text = read(&path);
         let left_out = text.lines().map(comment).find(|line| line.starts_with("```") && line.contains("ignore"));
         assert_eq!(left_out, None, "{}", path.display());

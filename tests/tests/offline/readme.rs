@@ -9,17 +9,8 @@ use std::path::{Path, PathBuf};
 use expect_test::expect_file;
 use jaka_tests::spec;
 
-use crate::architecture::{all_files, all_sources};
+use crate::architecture::{all_files, all_sources, read, root};
 use crate::reference::anchors;
-
-/// The project's folder.
-fn root() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-}
-
-fn read(path: &Path) -> String {
-    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
 
 /// The folders and files in the project's folder.
 fn entries_of_root() -> impl Iterator<Item = PathBuf> {

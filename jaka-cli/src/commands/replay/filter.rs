@@ -42,13 +42,13 @@ impl Filter {
         filter
     }
 
-    /// Whether an entry is shown.
+    /// True if an entry is shown.
     pub(super) fn shows(&self, entry: &Entry) -> bool {
         let is_shown = |message: &Message| self.names(message) || self.replies.contains(&(entry.time, message.clone()));
         entry.port == Port::Command && entry.event.message().is_some_and(is_shown)
     }
 
-    /// Whether a message names the command.
+    /// True if a message names the command.
     pub(super) fn names(&self, message: &Message) -> bool {
         command_of(message).as_ref() == Some(&self.command)
     }

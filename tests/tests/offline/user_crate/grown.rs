@@ -12,7 +12,7 @@ use jaka_spec::tools::{Impact, diff, impact};
 use jaka_spec::{Command, Field, Request, Scalar, Source, Spec, Type, TypeId, TypeKind, to_snake};
 
 use super::{PACK, UserCrate};
-use crate::architecture::with_dependencies;
+use crate::architecture::{root, with_dependencies};
 
 /// Commands of each shape: bare, with one required field, with several, with optional ones, and with variants.
 const TEN: [&str; 10] = [
@@ -146,10 +146,6 @@ fn values(spec: &Spec, id: TypeId) -> Vec<&str> {
     }
 }
 
-fn workspace() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is in a workspace")
-}
-
 impl UserCrate {
     /// Depends on the jaka-sync of a workspace.
     pub(crate) fn with_workspace(self, workspace: &Path) -> Self {
@@ -191,10 +187,10 @@ pub(crate) fn copied(name: &str) -> PathBuf {
         fs::remove_dir_all(&folder).expect("the folder of an earlier run can be removed");
     }
     for member in with_dependencies("jaka-sync") {
-        copy(&workspace().join(member), &folder.join(member));
+        copy(&root().join(member), &folder.join(member));
     }
     for file in ["Cargo.toml", "Cargo.lock"] {
-        fs::copy(workspace().join(file), folder.join(file)).expect("it can be copied");
+        fs::copy(root().join(file), folder.join(file)).expect("it can be copied");
     }
     folder
 }
@@ -216,7 +212,7 @@ fn copy(from: &Path, to: &Path) {
 #[test]
 #[ignore = "a step of .ci/nightly"]
 fn an_edit_of_a_pack_is_noticed() {
-    let user = UserCrate::new("edited", "2024", "jaka_sync::pack!(\"newer.toml\");\n").with_workspace(workspace());
+    let user = UserCrate::new("edited", "2024", "jaka_sync::pack!(\"newer.toml\");\n").with_workspace(root());
     user.write("newer.toml", PACK);
     user.expect_of_cargo(&expect![[""]]);
     user.write("newer.toml", &PACK.replace("query", "fly"));
@@ -248,7 +244,7 @@ fn a_program_compiles_after_ten_commands_have_got_an_optional_field() {
     assert_eq!((changes.len(), impact(&changes)), (TEN.len(), Some(Impact::Minor)), "{changes:?}");
 
     let mut code = program(&spec);
-    UserCrate::new("before", "2024", &code).with_workspace(workspace()).expect_of_cargo(&expect![""]);
+    UserCrate::new("before", "2024", &code).with_workspace(root()).expect_of_cargo(&expect![""]);
     code += "
 /// With the field that is new.
 pub fn extra() -> (jaka_sync::motion::JointMove, jaka_sync::program::LoadProgram, jaka_sync::power::GetVersion) {
